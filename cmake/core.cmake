@@ -1,0 +1,26 @@
+# The algorithms: Eigen, PCL and OpenCV, no ROS. Tests and benchmarks that need no ROS either.
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(PCL REQUIRED COMPONENTS common search kdtree segmentation)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs dnn)
+find_package(yaml-cpp REQUIRED)
+find_package(Threads REQUIRED)
+
+file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS src/core/*.cpp)
+add_library(field_fusion_core ${core_sources})
+target_include_directories(field_fusion_core PUBLIC include)
+target_include_directories(field_fusion_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS} ${OpenCV_INCLUDE_DIRS})
+target_link_libraries(field_fusion_core PUBLIC Eigen3::Eigen ${OpenCV_LIBS} ${PCL_LIBRARIES} yaml-cpp Threads::Threads)
+
+file(GLOB_RECURSE core_test_sources CONFIGURE_DEPENDS test/core/*_test.cpp)
+add_library(core_test_support INTERFACE)
+target_include_directories(core_test_support INTERFACE test)
+target_compile_definitions(core_test_support INTERFACE PROJECT_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(core_test_support INTERFACE field_fusion_core)
+
+file(GLOB core_bench_sources CONFIGURE_DEPENDS bench/bench_*.cpp)
+foreach(source ${core_bench_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} core_test_support)
+  list(APPEND core_programs ${name})
+endforeach()

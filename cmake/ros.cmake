@@ -1,0 +1,37 @@
+# Messages, the ROS layer, the nodelets and the tools.
+find_package(catkin REQUIRED COMPONENTS
+  cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
+  message_filters message_generation nodelet pluginlib rosbag roscpp sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
+  visualization_msgs)
+
+file(GLOB messages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/msg msg/*.msg)
+add_message_files(FILES ${messages})
+generate_messages(DEPENDENCIES geometry_msgs std_msgs)
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES field_fusion_core field_fusion_ros
+  CATKIN_DEPENDS message_runtime roscpp sensor_msgs std_msgs geometry_msgs
+  DEPENDS EIGEN3)
+
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+add_library(field_fusion_ros ${ros_sources})
+add_dependencies(field_fusion_ros ${PROJECT_NAME}_generate_messages_cpp ${catkin_EXPORTED_TARGETS})
+target_include_directories(field_fusion_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
+target_link_libraries(field_fusion_ros PUBLIC field_fusion_core ${catkin_LIBRARIES})
+
+file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
+add_library(field_fusion_nodelets ${nodelet_sources})
+target_link_libraries(field_fusion_nodelets field_fusion_ros)
+
+file(GLOB tool_sources CONFIGURE_DEPENDS src/tools/*.cpp)
+foreach(source ${tool_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} field_fusion_ros)
+  list(APPEND tools ${name})
+endforeach()
+
+include(cmake/install.cmake)
+if(CATKIN_ENABLE_TESTING)
+  include(cmake/test.cmake)
+endif()

@@ -1,0 +1,32 @@
+#pragma once
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <memory>
+
+#include "field_fusion/ros/camera_model.h"
+
+namespace field_fusion {
+
+/// Finds the camera model that belongs to an image. Most drivers stamp image and CameraInfo alike: then an
+/// image waits for its own, so that a zoom takes effect in time; where they do not, the newest counts.
+class CameraFeed {
+ public:
+  /// Throws what CameraModel throws; the model before stays in force.
+  void add(const sensor_msgs::CameraInfo& info);
+
+  /// Whether an image of this stamp need not wait any longer.
+  bool ready(const ros::Time& stamp) const;
+
+  /// Throws std::runtime_error "camera info missing" or "camera info is of another size: ...".
+  std::shared_ptr<const CameraModel> modelFor(const sensor_msgs::Image& image);
+
+  void reset() { *this = CameraFeed(); }
+
+ private:
+  std::shared_ptr<const CameraModel> model_;
+  ros::Time image_stamp_;
+  bool stamped_alike_ = true;
+};
+
+}  // namespace field_fusion

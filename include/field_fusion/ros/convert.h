@@ -1,0 +1,38 @@
+#pragma once
+// Our messages to and from what core works on.
+#include <boost/shared_ptr.hpp>
+
+#include <vector>
+
+#include "field_fusion/ClusterArray.h"
+#include "field_fusion/ImageDetectionArray.h"
+#include "field_fusion/ObstacleArray.h"
+#include "field_fusion/core/cloud/cluster.h"
+#include "field_fusion/core/match/obstacle.h"
+
+namespace field_fusion {
+
+/// Throws std::runtime_error "clusters damaged: details" where a cluster is not finite, inside out, not in
+/// its place, or names points that are not there.
+void check(const ClusterArray& message);
+
+/// Throws std::runtime_error "detections damaged: details" where a detection is not in its place, its score
+/// is no probability, its ray is no unit vector, or its range or sigma is negative or infinite; NaN is
+/// unknown.
+void check(const ImageDetectionArray& message);
+
+boost::shared_ptr<ClusterArray> clusterMessage(const std_msgs::Header& header,
+                                               const core::Clusters& clusters);
+
+/// The clusters of a message that passed `check`.
+std::vector<core::Cluster> clustersOf(const ClusterArray& message);
+
+/// The detections of a message that passed `check`, carried into the LiDAR's frame. Where `T_lidar_camera` is
+/// null they have neither position nor direction.
+std::vector<core::CameraTarget> cameraTargetsOf(const ImageDetectionArray& message,
+                                                const core::Transform* T_lidar_camera);
+
+boost::shared_ptr<ObstacleArray> obstacleMessage(const std_msgs::Header& header, std::uint8_t revision,
+                                                 const std::vector<core::Obstacle>& obstacles);
+
+}  // namespace field_fusion

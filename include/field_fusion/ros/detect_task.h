@@ -1,0 +1,36 @@
+#pragma once
+// From an image message to its detections, in one call that may run in any thread.
+#include <sensor_msgs/Image.h>
+
+#include <memory>
+
+#include "field_fusion/ros/detection.h"
+
+namespace field_fusion {
+
+/// One image to look at, with all that belongs to it.
+struct DetectJob {
+  sensor_msgs::Image::ConstPtr image;
+  std::shared_ptr<const CameraModel> camera;  ///< null: no bearing, no range
+  std::shared_ptr<const core::DetectParams> params;
+  ros::WallTime arrival;
+  bool annotate = false;
+};
+
+struct DetectResult {
+  boost::shared_ptr<ImageDetectionArray> detections;
+  boost::shared_ptr<sensor_msgs::Image> annotated;  ///< null unless the job asked for it
+};
+
+/// Runs the detector on a job. Not thread-safe. Throws std::runtime_error on an image that cannot be read.
+class DetectTask {
+ public:
+  /// Throws std::runtime_error on a model or class file that cannot be used.
+  explicit DetectTask(const core::DetectParams& params) : detector_(core::readOnnxFile(params.model), params.class_file) {}
+  DetectResult operator()(const DetectJob& job);
+
+ private:
+  core::YoloDetector detector_;
+};
+
+}  // namespace field_fusion

@@ -1,0 +1,52 @@
+#pragma once
+// A bag in the making, and the messages that describe a sensor set-up that does not move.
+#include <geometry_msgs/TransformStamped.h>
+#include <rosbag/bag.h>
+#include <sensor_msgs/CameraInfo.h>
+
+#include <string>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "field_fusion/core/base/types.h"
+#include "field_fusion/core/detect/bearing.h"
+
+namespace field_fusion {
+
+/// Writes `file` under the name FILE.part until `finish`; without that, nothing is left of it.
+class Recording {
+ public:
+  /// Throws rosbag::BagException where the file cannot be written.
+  explicit Recording(const std::string& file);
+  ~Recording();
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+  /// Recorded as received at its own stamp.
+  template <class Message>
+  void write(const std::string& topic, const Message& message) {
+    bag_.write(topic, message.header.stamp, message);
+  }
+
+  /// On `/tf_static`, latched as its publishers do, so that whoever joins the playback late gets it too.
+  void writeStatic(const std::vector<geometry_msgs::TransformStamped>& transforms);
+
+  void finish();
+
+ private:
+  std::string file_, part_;
+  rosbag::Bag bag_;
+  bool finished_ = false;
+};
+
+/// Where `child` stands in `parent`: T_parent_child.
+geometry_msgs::TransformStamped transformMessage(const ros::Time& stamp, const std::string& parent,
+                                                 const std::string& child,
+                                                 const core::Transform& T_parent_child);
+
+/// Of a camera without distortion.
+sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header, const core::Pinhole& camera,
+                                   cv::Size image);
+
+}  // namespace field_fusion

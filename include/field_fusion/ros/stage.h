@@ -1,0 +1,153 @@
+#pragma once
+// What all stages share: declared parameters, inputs that are checked and counted, lazy subscription,
+// one error policy, one rule for time jumps, and /diagnostics.
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nodelet/nodelet.h>
+#include <sensor_msgs/Image.h>
+
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+
+#include "field_fusion/ros/port.h"
+#include "field_fusion/ros/reconfigure.h"
+#include "field_fusion/ros/stage_params.h"
+#include "field_fusion/ros/tf_cache.h"
+
+namespace field_fusion {
+
+/// A message type that can arrive damaged overloads this with what is wrong ("kind: details").
+template <class Message> const std::string& faultOf(const Message&) {
+  static const std::string none;
+  return none;
+}
+
+/// Base of every stage, without its parameters: derive from StageNodelet. All virtual functions and input
+/// handlers run one at a time. What a handler throws drops that message: it is counted, logged and shown
+/// in /diagnostics, and the next message is taken.
+class Stage : public nodelet::Nodelet {
+ public:
+  ~Stage() override;
+
+ protected:
+  /// Listening: a stage with state always subscribes, any other only while somebody takes its outputs.
+  enum class Listen { kLazy, kAlways };
+  explicit Stage(Listen listen) : listen_(listen) {}
+
+  virtual void declare(core::Params& params) = 0;
+  virtual void onStart() = 0;    ///< declare outputs, then inputs; throw to refuse to start
+  virtual void onParams() {}     ///< live parameters have changed; throw to refuse the change
+  virtual void onTimeJump() {}   ///< forget everything that depends on time
+  virtual void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper&) {}  ///< add keys
+
+  template <class M> using Handler = std::function<void(const boost::shared_ptr<const M>&)>;
+  template <class M> using Ready = std::function<bool(const M&)>;
+
+  /// An output on a topic relative to the stage's namespace.
+  template <class M> Output<M> output(const std::string& topic) {
+    const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) { onSubscribersChanged(); };
+    auto& port = outputs_.emplace_back();
+    port.publisher = getNodeHandle().template advertise<M>(topic, kQueue, changed, changed);
+    return Output<M>(&port);
+  }
+
+  /// An input on a topic relative to the stage's namespace. With `ready`, a message waits until that holds,
+  /// at most `hold_limit`, and is then handled all the same: the handler says what was missing.
+  template <class M> InputPort& input(const std::string& topic, Handler<M> handler, Ready<M> ready = nullptr) {
+    auto& port = addInput(topic);
+    auto receive = receiver<M>(port, std::move(handler), std::move(ready));
+    port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
+      return std::make_shared<ros::Subscriber>(getNodeHandle().template subscribe<M>(topic, kQueue, receive));
+    };
+    return port;
+  }
+
+  /// An input of images in whatever way `~image_transport` says; raw images come as the pointer itself.
+  InputPort& imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler, Ready<sensor_msgs::Image> ready);
+
+  /// Counts and logs a fault of an input.
+  void fault(InputPort& port, const ros::Time& stamp, const std::string& text);
+
+  /// Ends, in a worker's thread, the work on a message of a deferred input: `compute` runs beside the handlers,
+  /// `publish` takes its result and runs like one of them. What either throws drops the message.
+  template <class Compute, class Publish>
+  void complete(InputPort& port, const ros::Time& stamp, ros::WallTime arrival, Compute compute, Publish publish) {
+    decltype(compute()) result{};
+    std::exception_ptr failure;
+    try {
+      result = compute();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto rest = [&] { failure ? std::rethrow_exception(failure) : publish(result); };
+    if (attempt(port, stamp, rest)) count(port, arrival);
+  }
+
+  TfCache& tf();
+
+ private:
+  struct Arrival {
+    ros::WallTime at;
+    MessageTrace message;
+    std::function<bool()> ready;
+    std::function<void()> handle;
+  };
+  struct Held {
+    InputPort* port;
+    Arrival arrival;
+  };
+  static constexpr std::uint32_t kQueue = 4;
+  static constexpr std::size_t kMaxHeld = 32;
+
+  /// What a subscription calls: the checked entry of an input.
+  template <class M> Handler<M> receiver(InputPort& port, Handler<M> handler, Ready<M> ready) {
+    return [this, &port, handler, ready](const boost::shared_ptr<const M>& message) {
+      Arrival arrival{ros::WallTime::now(), {message->header.stamp, message.get()}, nullptr, [handler, message] { handler(message); }};
+      if (ready) arrival.ready = [ready, message] { return ready(*message); };
+      onArrival(port, std::move(arrival), faultOf(*message));
+    };
+  }
+  InputPort& addInput(const std::string& topic);
+  void onInit() final;
+  void start();
+  void onSubscribersChanged();
+  void updateSubscriptions();
+  void onArrival(InputPort& port, Arrival arrival, const std::string& damage);
+  bool inOrder(InputPort& port, const ros::Time& stamp);
+  void jump(InputPort& port, const ros::Time& stamp);
+  void handle(InputPort& port, const Arrival& arrival);
+  bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);
+  void count(InputPort& port, ros::WallTime arrival);
+  bool waits(const InputPort& port) const;
+  void release();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const Listen listen_;
+  std::mutex mutex_;
+  StageParams stage_params_;
+  core::Params declared_;
+  std::deque<InputPort> inputs_;    // deques: ports never move
+  std::deque<OutputPort> outputs_;
+  std::deque<Held> held_;
+  std::shared_ptr<TfCache> tf_;
+  std::unique_ptr<Reconfigure> reconfigure_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;
+  ros::WallTimer hold_timer_, diagnostics_timer_;
+  std::uint64_t time_jumps_ = 0;
+  bool subscribed_ = false;
+};
+
+/// A stage with its parameters. A nodelet file derives from this and implements onStart and its handlers.
+template <class P> class StageNodelet : public Stage {
+ protected:
+  explicit StageNodelet(Listen listen = Listen::kLazy) : Stage(listen) {}
+  const P& params() const { return params_; }
+
+ private:
+  void declare(core::Params& params) final { params_.declare(params); }
+  P params_;
+};
+
+}  // namespace field_fusion

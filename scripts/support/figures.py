@@ -1,0 +1,28 @@
+"""The lines that scripts read: `figure NAME VALUE UNIT n=.. ci=[..,..]`, with 95 % intervals."""
+import math
+import random
+
+
+def line(name, value, unit, n, interval):
+    low, high = interval
+    return f"figure {name} {value:.4g} {unit} n={n} ci=[{low:.4g},{high:.4g}]"
+
+
+def wilson(hits, n):
+    """Interval of a share `hits` / `n` (Wilson 1927)."""
+    if n == 0:
+        return math.nan, math.nan
+    z = 1.96
+    share = hits / n
+    middle = (share + z * z / (2 * n)) / (1 + z * z / n)
+    half = z / (1 + z * z / n) * math.sqrt(share * (1 - share) / n + z * z / (4 * n * n))
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def bootstrap(values, statistic, resamples=2000):
+    """Percentile interval of a statistic (Efron 1979); the same for the same values."""
+    if not values:
+        return math.nan, math.nan
+    draw = random.Random(1)
+    results = sorted(statistic(draw.choices(values, k=len(values))) for _ in range(resamples))
+    return results[resamples // 40], results[resamples - 1 - resamples // 40]

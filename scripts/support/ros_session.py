@@ -1,0 +1,114 @@
+"""A ROS master of one's own, and the programs that were started under it."""
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import xmlrpc.client
+
+
+class SessionError(RuntimeError):
+    pass
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class RosSession:
+    """Starts roscore on a free port and sets the environment so that this process, too, talks to it. On
+    leaving, everything that was started is ended. Logs go to `folder`, else to one that goes with the session."""
+
+    def __init__(self, folder=None):
+        self._scratch = None if folder else tempfile.TemporaryDirectory(prefix="ros_session_")
+        self.folder = pathlib.Path(folder or self._scratch.name)
+        self.port = free_port()
+        self.master = xmlrpc.client.ServerProxy(f"http://127.0.0.1:{self.port}")
+        self.running = []
+
+    def __enter__(self):
+        os.environ.pop("ROS_HOSTNAME", None)
+        os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{self.port}", ROS_IP="127.0.0.1",
+                          ROS_HOME=str(self.folder / "ros"))
+        try:
+            core = self.start("roscore", "-p", str(self.port))
+            self.require(self._master_answers, 60.0, "roscore did not come up", core)
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *_):
+        for process, _ in reversed(self.running):
+            self._end(process)
+        self.running.clear()
+        if self._scratch:
+            self._scratch.cleanup()
+
+    def start(self, *command):
+        """Starts a program; what it writes goes to FOLDER/<number>_<its name>.log."""
+        log = self.folder / f"{len(self.running)}_{pathlib.Path(command[0]).name}.log"
+        with open(log, "wb") as out:
+            process = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                       start_new_session=True)
+        self.running.append((process, log))
+        return process
+
+    def launch(self, *arguments):
+        return self.start("roslaunch", *map(str, arguments))
+
+    def listen(self, topics):
+        """Subscribes to topics, so that stages which wait for a listener begin to work."""
+        return self.start("rostopic", "hz", *topics)
+
+    def system_state(self):
+        """(publishers, subscribers, services), each a list of [name, [nodes]]."""
+        return self.master.getSystemState("/session")[2]
+
+    def topic_types(self):
+        return dict(self.master.getTopicTypes("/session")[2])
+
+    @staticmethod
+    def wait(holds, seconds=60.0):
+        """Whether `holds()` became true within the wall time."""
+        deadline = time.monotonic() + seconds
+        while not holds():
+            if time.monotonic() > deadline:
+                return False
+            time.sleep(0.01)
+        return True
+
+    def require(self, holds, seconds, what, *needed):
+        """Waits until `holds()`. Raises SessionError with the end of the logs when one of the programs
+        `needed` ends before, or when the wall time is up."""
+        def ended():
+            return any(process.poll() is not None for process in needed)
+
+        self.wait(lambda: holds() or ended(), seconds)
+        if not holds():
+            logs = [log for process, log in self.running if process in needed]
+            tail = "\n".join(log.read_text(errors="replace")[-2000:] for log in logs)
+            raise SessionError(f"{what}{' (it ended)' if ended() else f' within {seconds:.0f} s'}\n{tail}")
+
+    def _master_answers(self):
+        try:
+            return self.master.getPid("/session")[0] == 1
+        except OSError:
+            return False
+
+    @staticmethod
+    def _end(process):
+        """Asks first: roslaunch then ends its own nodes. What does not listen is killed with its children."""
+        for end, sign, patience in ((os.kill, signal.SIGINT, 20), (os.killpg, signal.SIGTERM, 5),
+                                    (os.killpg, signal.SIGKILL, 5)):
+            if process.poll() is not None:
+                return
+            end(process.pid, sign)
+            try:
+                process.wait(patience)
+            except subprocess.TimeoutExpired:
+                continue

@@ -1,0 +1,52 @@
+#include "opencv_inference.h"
+
+#include <opencv2/dnn/dnn.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace field_fusion::core {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* action, const cv::Exception& error) {
+  std::string reason = error.what();  // names the node; spread over several lines
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  throw std::runtime_error("model '" + path + "': OpenCV cannot " + action + " it: " + reason);
+}
+
+class OpenCvInference : public Inference {
+ public:
+  explicit OpenCvInference(const OnnxFile& model) : Inference(imageInputSize(model)), path_(model.path) {
+    try {
+      net_ = cv::dnn::readNetFromONNX(model.bytes.data(), model.bytes.size());
+      output_names_ = net_.getUnconnectedOutLayersNames();
+    } catch (const cv::Exception& error) {
+      fail(path_, "import", error);
+    }
+    probe();
+  }
+
+  const std::vector<cv::Mat>& run(const cv::Mat& input) override {
+    try {
+      net_.setInput(input);
+      net_.forward(outputs_, output_names_);
+    } catch (const cv::Exception& error) {
+      fail(path_, "run", error);
+    }
+    return outputs_;
+  }
+
+ private:
+  std::string path_;
+  cv::dnn::Net net_;
+  std::vector<std::string> output_names_;
+  std::vector<cv::Mat> outputs_;
+};
+
+}  // namespace
+
+std::unique_ptr<Inference> makeOpenCvInference(const OnnxFile& model) {
+  return std::make_unique<OpenCvInference>(model);
+}
+
+}  // namespace field_fusion::core

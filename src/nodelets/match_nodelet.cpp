@@ -1,0 +1,59 @@
+// clusters, detections -> [pair by stamp, match] -> obstacles
+#include <pluginlib/class_list_macros.hpp>
+
+#include "field_fusion/ros/convert.h"
+#include "field_fusion/ros/match_pair.h"
+#include "field_fusion/ros/stage.h"
+
+namespace field_fusion {
+
+class MatchNodelet : public StageNodelet<core::MatchParams> {
+  void onStart() override {
+    tf();  // listens from now on
+    onParams();
+    sync_ = std::make_unique<PairSync>(params().sync);
+    obstacles_ = output<ObstacleArray>("obstacles");
+    input<ClusterArray>("clusters", [this](const auto& clusters) { add(clusters); });
+    detections_ = &input<ImageDetectionArray>(
+        "detections", [this](const auto& detections) { add(detections); },
+        [this](auto& d) { return frame_.empty() || tf().has(frame_, d.header.frame_id, d.header.stamp); });
+    // a nodelet's own queue never runs two callbacks at a time: this one takes turns with the handlers
+    poll_ = getNodeHandle().createWallTimer(ros::WallDuration(0.01), [this](const auto&) { release(); });
+  }
+  void onParams() override { matcher_.setParams(params()); }
+  void onTimeJump() override { sync_->reset(); }
+
+  template <class Pointer>
+  void add(const Pointer& message) {
+    check(*message);
+    const auto late = sync_->counts().late;
+    sync_->add(message, ros::WallTime::now());
+    if (sync_->counts().late > late) fault(*detections_, message->header.stamp, "too late for clusters");
+    release();
+  }
+  void release() {
+    while (const auto pair = sync_->next(ros::WallTime::now())) publish(*pair);
+    sync_->empty() ? poll_.stop() : poll_.start();
+  }
+  void publish(const PairSync::Pair& pair) {
+    std::string no_place;
+    frame_ = pair.clusters->header.frame_id;
+    obstacles_.publish(matchPair(matcher_, pair, tf(), no_place));
+    if (!no_place.empty()) fault(*detections_, pair.detections->header.stamp, no_place);
+  }
+  void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
+    const auto& n = sync_->counts();
+    status.addf("pairs, clusters alone, detections too late", "%lu %lu %lu", n.pairs, n.alone, n.late);
+  }
+
+  core::Matcher matcher_;
+  std::unique_ptr<PairSync> sync_;
+  std::string frame_;  // of the last clusters
+  Output<ObstacleArray> obstacles_;
+  InputPort* detections_ = nullptr;
+  ros::WallTimer poll_;
+};
+
+}  // namespace field_fusion
+
+PLUGINLIB_EXPORT_CLASS(field_fusion::MatchNodelet, nodelet::Nodelet)

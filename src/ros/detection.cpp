@@ -1,0 +1,113 @@
+#include "field_fusion/ros/detection.h"
+
+#include <boost/make_shared.hpp>
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <cmath>
+
+namespace field_fusion {
+namespace {
+
+namespace encoding = sensor_msgs::image_encodings;
+
+void setBearingAndRange(ImageDetection& out, const core::Detection& detection, double input_scale, const CameraModel& camera,
+                        const core::RangeParams& params) {
+  const auto pinhole = camera.pinhole();
+  const auto box = camera.rectified(detection.box);
+  const auto middle = box.centre();
+  const auto bearing = core::bearing({middle.x, middle.y}, pinhole);
+  out.ray.x = bearing.ray.x();
+  out.ray.y = bearing.ray.y();
+  out.ray.z = bearing.ray.z();
+  out.azimuth = static_cast<float>(bearing.azimuth);
+  out.elevation = static_cast<float>(bearing.elevation);
+  const auto range = core::rangeFromHeight(out.label, box, detection.cut, input_scale, pinhole, params);
+  out.depth = static_cast<float>(range.depth);
+  out.range = static_cast<float>(range.range);
+  out.range_sigma = static_cast<float>(range.sigma);
+  if (std::isfinite(range.range)) out.range_source = ImageDetection::RANGE_FROM_HEIGHT;
+}
+
+ImageDetection unknownInSpace() {
+  ImageDetection out;
+  out.ray.x = out.ray.y = out.ray.z = core::kNaN;
+  out.azimuth = out.elevation = out.depth = out.range = out.range_sigma = core::kNaN;
+  return out;
+}
+
+std::string labelText(const ImageDetection& d) {
+  const auto number = [](double value, int digits) { return cv::format("%.*f", digits, value); };
+  auto text = d.label + " " + number(d.score, 2);
+  if (std::isfinite(d.range)) text += "  " + number(d.range, 1) + " m";
+  if (std::isfinite(d.azimuth)) text += "  " + number(core::degrees(d.azimuth), 1) + " deg";
+  return text;
+}
+
+void draw(cv::Mat& image, const ImageDetection& d) {
+  const cv::Scalar colour(255, 160, 0), dark(40, 25, 0);  // BGR
+  const double scale = std::max(0.4, image.rows / 900.0);
+  const int thick = std::max(1, image.rows / 360);
+  cv::rectangle(image, cv::Point2f(d.x_min, d.y_min), cv::Point2f(d.x_max, d.y_max), colour, thick);
+  const auto text = labelText(d);
+  int baseline = 0;
+  const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &baseline);
+  // above the box, or inside it where the image ends; never beyond the right border
+  const int left = std::max(0, std::min(static_cast<int>(d.x_min), image.cols - size.width));
+  const int bottom = d.y_min >= size.height + baseline ? static_cast<int>(d.y_min) : static_cast<int>(d.y_min) + size.height + baseline;
+  cv::rectangle(image, {left, bottom - size.height - baseline, size.width, size.height + baseline}, dark, cv::FILLED);
+  cv::putText(image, text, {left, bottom - baseline / 2 - 1}, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255}, 1, cv::LINE_AA);
+}
+
+}  // namespace
+
+ImageView viewOf(const sensor_msgs::Image::ConstPtr& image) try {
+  const auto& e = image->encoding;
+  const bool native = e == encoding::BGR8 || e == encoding::RGB8 || e == encoding::MONO8;
+  const auto shared = cv_bridge::toCvShare(image, native ? "" : encoding::BGR8);
+  if (shared->image.empty()) throw std::runtime_error("0 x 0 pixels");
+  return {shared->image, e == encoding::RGB8 ? core::PixelOrder::kRgb : core::PixelOrder::kBgr};
+} catch (const std::exception& e) {
+  throw std::runtime_error("image cannot be read: encoding '" + image->encoding + "', " + std::to_string(image->width) + "x" +
+                           std::to_string(image->height) + ", step " + std::to_string(image->step) + ", " +
+                           std::to_string(image->data.size()) + " bytes: " + e.what());
+}
+
+boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& header, cv::Size image,
+                                                        const core::Detections& detections,
+                                                        const std::vector<std::string>& class_names, const CameraModel* camera,
+                                                        const core::RangeParams& params) {
+  auto out = boost::make_shared<ImageDetectionArray>();
+  out->header = header;
+  out->width = static_cast<std::uint32_t>(image.width);
+  out->height = static_cast<std::uint32_t>(image.height);
+  for (const auto& detection : detections.detections) {
+    auto d = unknownInSpace();
+    d.id = static_cast<std::uint32_t>(out->detections.size());
+    d.class_id = detection.class_id;
+    d.label = class_names.at(static_cast<std::size_t>(detection.class_id));
+    d.score = detection.score;
+    d.x_min = detection.box.x_min;
+    d.y_min = detection.box.y_min;
+    d.x_max = detection.box.x_max;
+    d.y_max = detection.box.y_max;
+    d.cut = detection.cut;
+    if (camera) setBearingAndRange(d, detection, detections.input_scale, *camera, params);
+    out->detections.push_back(std::move(d));
+  }
+  return out;
+}
+
+boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image, const ImageDetectionArray& detections) {
+  cv::Mat canvas;
+  if (image.pixels.channels() == 1)
+    cv::cvtColor(image.pixels, canvas, cv::COLOR_GRAY2BGR);
+  else if (image.order == core::PixelOrder::kRgb)
+    cv::cvtColor(image.pixels, canvas, cv::COLOR_RGB2BGR);
+  else
+    canvas = image.pixels.clone();
+  for (const auto& detection : detections.detections) draw(canvas, detection);
+  return cv_bridge::CvImage(detections.header, encoding::BGR8, canvas).toImageMsg();
+}
+
+}  // namespace field_fusion

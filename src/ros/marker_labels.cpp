@@ -1,0 +1,86 @@
+#include "field_fusion/ros/marker_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "field_fusion/core/base/types.h"
+
+namespace field_fusion {
+namespace {
+
+constexpr double kLetterAspect = 0.55;  // mean width of a letter over its height
+constexpr double kLinePitch = 1.3;      // distance of lines over the height of a letter
+
+struct TextSize {
+  double width, height;  // [m]
+};
+
+TextSize sizeOf(const Label& label) {
+  std::size_t lines = 0, widest = 0;
+  for (std::size_t begin = 0; begin <= label.text.size(); ++lines) {
+    const auto end = std::min(label.text.find('\n', begin), label.text.size());
+    widest = std::max(widest, end - begin);
+    begin = end + 1;
+  }
+  return {kLetterAspect * label.letter * static_cast<double>(widest),
+          kLinePitch * label.letter * static_cast<double>(lines)};
+}
+
+/// What a label covers, seen from the origin: azimuth [rad] and the tangent of the elevation.
+struct Cover {
+  double azimuth, half_width, low, high;
+};
+
+Cover coverOf(const Label& label) {
+  const TextSize size = sizeOf(label);
+  const double flat = std::max(label.place.head<2>().norm(), 1.0);
+  return {std::atan2(label.place.y(), label.place.x()), std::atan(0.5 * size.width / flat),
+          (label.place.z() - 0.5 * size.height) / flat, (label.place.z() + 0.5 * size.height) / flat};
+}
+
+bool overlap(const Cover& a, const Cover& b) {
+  return std::abs(core::angleDifference(a.azimuth, b.azimuth)) < a.half_width + b.half_width &&
+         a.low < b.high && b.low < a.high;
+}
+
+}  // namespace
+
+std::string labelText(const Obstacle& obstacle) {
+  char text[256];
+  std::string out;
+  if (!obstacle.label.empty()) {
+    std::snprintf(text, sizeof text, "%.60s %.2f\n", obstacle.label.c_str(), obstacle.label_probability);
+    out = text;
+  }
+  if (std::isnan(obstacle.range))
+    out += "range ?";
+  else
+    out += (std::snprintf(text, sizeof text, "%.2f m", obstacle.range), text);
+  if (std::isnan(obstacle.azimuth)) return out + "  angle ?";
+  std::snprintf(text, sizeof text, "  %+.1f deg", core::degrees(obstacle.azimuth));
+  return out + text;
+}
+
+void layOut(std::vector<Label>& labels) {
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+    return a.place.head<2>().squaredNorm() < b.place.head<2>().squaredNorm();
+  });
+  std::vector<Cover> taken;
+  for (Label& label : labels) {
+    label.place.z() += 0.5 * sizeOf(label).height + 0.3 * label.letter;
+    const double flat = std::max(label.place.head<2>().norm(), 1.0);
+    Cover cover = coverOf(label);
+    // the lowest free place is just above one of those taken, so going up from one to the next finds it
+    for (auto hit = taken.begin(); hit != taken.end();) {
+      hit =
+          std::find_if(taken.begin(), taken.end(), [&](const Cover& other) { return overlap(cover, other); });
+      if (hit == taken.end()) break;
+      label.place.z() += (hit->high - cover.low) * flat + 1e-6;
+      cover = coverOf(label);
+    }
+    taken.push_back(cover);
+  }
+}
+
+}  // namespace field_fusion

@@ -1,0 +1,172 @@
+#include "field_fusion/ros/stage.h"
+
+#include <image_transport/image_transport.h>
+
+#include <algorithm>
+
+#include "field_fusion/ros/params_io.h"
+
+namespace field_fusion {
+namespace {
+
+const ros::WallDuration kHoldPoll(0.005), kDiagnosticsPeriod(1.0);
+
+}  // namespace
+
+Stage::~Stage() {
+  hold_timer_.stop();
+  diagnostics_timer_.stop();
+  for (auto& port : inputs_) port.subscription.reset();
+}
+
+void Stage::onInit() try {
+  const std::lock_guard<std::mutex> lock(mutex_);  // callbacks may come before onInit has ended
+  start();
+} catch (const std::exception& e) {
+  NODELET_FATAL_STREAM("not started: " << e.what());  // the loader itself tells nobody
+  throw;
+}
+
+void Stage::start() {
+  declare(declared_);
+  stage_params_.declare(declared_);
+  loadParams(getPrivateNodeHandle(), declared_);
+  onStart();
+  reconfigure_ = std::make_unique<Reconfigure>(getPrivateNodeHandle(), declared_, mutex_, [this] { onParams(); });
+  updater_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
+  updater_->setHardwareID("none");
+  updater_->add("stage", this, &Stage::diagnose);
+  // the updater's own clock stands still when the time of a bag jumps back
+  diagnostics_timer_ = getNodeHandle().createWallTimer(kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+  hold_timer_ = getNodeHandle().createWallTimer(kHoldPoll, [this](const ros::WallTimerEvent&) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    release();
+  }, false, false);
+  updateSubscriptions();
+}
+
+InputPort& Stage::addInput(const std::string& topic) {
+  auto& port = inputs_.emplace_back();
+  port.topic = topic;
+  return port;
+}
+
+InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler, Ready<sensor_msgs::Image> ready) {
+  auto& port = addInput(topic);
+  auto receive = receiver<sensor_msgs::Image>(port, std::move(handler), std::move(ready));
+  port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
+    image_transport::ImageTransport transport(getNodeHandle());
+    const image_transport::TransportHints hints("raw", ros::TransportHints(), getPrivateNodeHandle());
+    return std::make_shared<image_transport::Subscriber>(transport.subscribe(topic, kQueue, receive, ros::VoidPtr(), hints));
+  };
+  return port;
+}
+
+TfCache& Stage::tf() {
+  if (!tf_) tf_ = TfCache::shared();
+  return *tf_;
+}
+
+void Stage::onSubscribersChanged() try {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  updateSubscriptions();
+} catch (const std::exception& e) {  // an image transport that is not installed
+  NODELET_FATAL_STREAM("cannot subscribe: " << e.what());
+}
+
+void Stage::updateSubscriptions() {
+  bool wanted = listen_ == Listen::kAlways || outputs_.empty();
+  for (const auto& port : outputs_) wanted |= port.publisher.getNumSubscribers() > 0;
+  if (wanted == subscribed_) return;
+  subscribed_ = wanted;
+  for (auto& port : inputs_) {
+    port.subscription = wanted ? port.subscribe() : nullptr;
+    port.order.reset();
+    port.last_arrival = ros::WallTime::now();
+  }
+  if (!wanted) held_.clear();
+}
+
+void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damage) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto stamp = arrival.message.stamp;
+  ++port.received;
+  port.last_arrival = arrival.at;
+  port.last = arrival.message;
+  if (!damage.empty()) return fault(port, stamp, damage);
+  if (!inOrder(port, stamp)) return;
+  if (!waits(port) && (!arrival.ready || arrival.ready())) {
+    handle(port, arrival);
+    return release();  // what waits on another input may have waited for this
+  }
+  if (held_.size() == kMaxHeld) {
+    fault(*held_.front().port, held_.front().arrival.message.stamp, "too many messages wait: the oldest is dropped");
+    held_.pop_front();
+  }
+  held_.push_back({&port, std::move(arrival)});
+  hold_timer_.start();
+}
+
+bool Stage::waits(const InputPort& port) const {
+  return std::any_of(held_.begin(), held_.end(), [&](const Held& held) { return held.port == &port; });
+}
+
+void Stage::release() {
+  const auto now = ros::WallTime::now();
+  std::deque<Held> still;  // an input's messages keep their order: behind one that waits, all wait
+  held_.swap(still);
+  for (auto& held : still) {
+    const bool expired = (now - held.arrival.at).toSec() >= stage_params_.hold_limit;
+    if (!waits(*held.port) && (expired || !held.arrival.ready || held.arrival.ready()))
+      handle(*held.port, held.arrival);
+    else
+      held_.push_back(std::move(held));
+  }
+  if (held_.empty()) hold_timer_.stop();
+}
+
+bool Stage::inOrder(InputPort& port, const ros::Time& stamp) {
+  if (stamp.isZero()) {
+    fault(port, stamp, "stamp is zero");
+    return false;
+  }
+  switch (port.order.check(static_cast<std::int64_t>(stamp.toNSec()))) {
+    case core::StampOrder::Verdict::kNewer: return true;
+    case core::StampOrder::Verdict::kTimeJump: jump(port, stamp); return true;
+    case core::StampOrder::Verdict::kOutOfOrder: fault(port, stamp, "stamp out of order: not newer than the last"); return false;
+  }
+  return false;
+}
+
+void Stage::jump(InputPort& port, const ros::Time& stamp) {
+  ++time_jumps_;
+  NODELET_WARN_STREAM("time jumped back to " << stamp << " on " << port.topic << ": state is cleared");
+  for (auto& other : inputs_)
+    if (&other != &port) other.order.reset();  // they follow, and the state is cleared only once
+  held_.clear();
+  if (tf_) tf_->onTimeJump();
+  onTimeJump();
+}
+
+void Stage::handle(InputPort& port, const Arrival& arrival) {
+  if (attempt(port, arrival.message.stamp, arrival.handle) && !port.deferred) count(port, arrival.at);
+}
+
+bool Stage::attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work) try {
+  work();
+  return true;
+} catch (const std::exception& e) {
+  fault(port, stamp, e.what());
+  return false;
+}
+
+void Stage::count(InputPort& port, ros::WallTime arrival) {
+  ++port.processed;
+  port.latency.add((ros::WallTime::now() - arrival).toSec());
+}
+
+void Stage::fault(InputPort& port, const ros::Time& stamp, const std::string& text) {
+  if (port.faults.add(text)) NODELET_ERROR_STREAM(port.topic << ", stamp " << stamp << ": " << text);
+}
+
+}  // namespace field_fusion

@@ -1,0 +1,33 @@
+#include "field_fusion/ros/stage_declarations.h"
+
+#include "field_fusion/core/match/match.h"
+#include "field_fusion/ros/stage_params.h"
+
+namespace field_fusion {
+namespace {
+
+template <class P> StageDeclaration declaration(const char* name) {
+  return {name, [](const std::function<void(const core::Params&)>& use) {
+            P own;
+            StageParams common;
+            core::Params params;
+            own.declare(params);
+            common.declare(params);
+            use(params);
+          }};
+}
+
+}  // namespace
+
+const std::vector<StageDeclaration>& stageDeclarations() {
+  static const std::vector<StageDeclaration> all{
+      declaration<FilterStageParams>("filter"),
+      declaration<GroundStageParams>("ground"),
+      declaration<core::ClusterParams>("cluster"),
+      declaration<core::DetectParams>("detect"),
+      declaration<core::MatchParams>("match"),
+  };
+  return all;
+}
+
+}  // namespace field_fusion

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "field_fusion/core/base/latency.h"
+#include "field_fusion/core/base/stamp_order.h"
+
+namespace field_fusion::core {
+namespace {
+
+using Verdict = StampOrder::Verdict;
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+TEST(StampOrder, OneSecondBackIsOutOfOrderAndMoreIsAJump) {
+  StampOrder order;
+  EXPECT_EQ(order.check(10 * kSecond), Verdict::kNewer);
+  EXPECT_EQ(order.check(9 * kSecond), Verdict::kOutOfOrder);  // exactly at the limit
+  EXPECT_EQ(order.check(9 * kSecond - 1), Verdict::kTimeJump);
+  EXPECT_EQ(order.check(9 * kSecond), Verdict::kNewer) << "after a jump the new time counts";
+}
+
+TEST(StampOrder, EqualStampIsOutOfOrder) {
+  StampOrder order;
+  EXPECT_EQ(order.check(5), Verdict::kNewer);
+  EXPECT_EQ(order.check(5), Verdict::kOutOfOrder);
+}
+
+TEST(StampOrder, LateStampsDoNotPullTheClockBack) {
+  // stamps 10.0 9.5 9.0 8.5: the last lies 1.5 s behind the newest, so it is a jump
+  StampOrder order;
+  order.check(10 * kSecond);
+  EXPECT_EQ(order.check(9 * kSecond + kSecond / 2), Verdict::kOutOfOrder);
+  EXPECT_EQ(order.check(8 * kSecond + kSecond / 2), Verdict::kTimeJump);
+}
+
+TEST(Latency, EmptyKnowsNothing) {
+  const Latency latency;
+  EXPECT_TRUE(std::isnan(latency.percentile(0.5)));
+  EXPECT_TRUE(std::isnan(latency.max()));
+}
+
+TEST(Latency, PercentilesLieWithinOneBinOfTheExactOnes) {
+  Latency latency;
+  for (int i = 1; i <= 1000; ++i) latency.add(i * 1e-3);  // 1 ms ... 1 s: p-th percentile is p seconds
+  for (const double p : {0.01, 0.5, 0.95, 0.99}) {
+    EXPECT_GE(latency.percentile(p), p * (1.0 - 1e-9));
+    EXPECT_LE(latency.percentile(p), p * 1.05);
+  }
+  EXPECT_EQ(latency.percentile(1.0), 1.0);
+  EXPECT_EQ(latency.max(), 1.0);
+}
+
+TEST(Latency, ExtremesAreCountedNotLost) {
+  Latency latency;
+  latency.add(-1.0);
+  latency.add(std::nan(""));
+  latency.add(std::numeric_limits<double>::infinity());
+  latency.add(1e9);
+  EXPECT_EQ(latency.count(), 4u);
+  EXPECT_EQ(latency.max(), 1e9);
+  EXPECT_LE(latency.percentile(0.5), 1e-6);
+}
+
+}  // namespace
+}  // namespace field_fusion::core

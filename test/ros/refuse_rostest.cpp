@@ -1,0 +1,105 @@
+// A stage that is wrongly set up does not start, and says all that is wrong in one message.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "support/stage_probe.h"
+
+namespace field_fusion::test {
+namespace {
+
+struct Outcome {
+  std::string text;
+  int status = -1;
+};
+
+/// Runs a stage as a process of its own that is expected to end by itself; it is ended after 20 s.
+Outcome start(const std::string& stage, const std::string& name, const std::string& private_params) {
+  const auto command = "timeout 20 rosrun nodelet nodelet standalone field_fusion/" + stage + " __name:=" + name + " " + private_params + " 2>&1";
+  Outcome outcome;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) return outcome;
+  std::array<char, 512> buffer;
+  while (fgets(buffer.data(), buffer.size(), pipe)) outcome.text += buffer.data();
+  outcome.status = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+constexpr int kTimedOut = 124;
+
+#define EXPECT_SAYS(outcome, words) EXPECT_NE((outcome).text.find(words), std::string::npos) << (outcome).text
+
+TEST(Refuse, EveryFaultOfTheParametersIsInOneMessage) {
+  const auto outcome = start("filter", "refused_filter", "_min_range:=-3.0 _max_range:=six _voxel_sze:=0.1");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.status, kTimedOut);
+  EXPECT_SAYS(outcome, "max_range is a string but must be a double");
+  EXPECT_SAYS(outcome, "min_range = -3.0 is outside [0.0, 1000.0] m");
+  EXPECT_SAYS(outcome, "voxel_sze is not a parameter of this stage");
+}
+
+TEST(Refuse, BrokenRuleNamesItsParameters) {
+  const auto outcome = start("filter", "refused_rule", "_min_range:=5.0 _max_range:=2.0");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "min_range must not exceed max_range");
+}
+
+TEST(Refuse, WholeNumberIsTakenForADouble) {
+  const auto outcome = start("filter", "taken_int", "_max_range:=20 _typo:=1");
+  EXPECT_SAYS(outcome, "typo is not a parameter of this stage");
+  EXPECT_EQ(outcome.text.find("max_range"), std::string::npos) << outcome.text;
+}
+
+TEST(Refuse, ListOfTheWrongThingIsNamed) {
+  ros::param::set("/refused_list/box", std::vector<std::string>{"a", "b"});
+  const auto outcome = start("filter", "refused_list", "");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "box is a list but must be a list of double");
+}
+
+TEST(Refuse, ModelThatIsMissing) {
+  const auto outcome = start("detect", "refused_missing", "_model:=/no/such/model.onnx");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "/no/such/model.onnx");
+}
+
+TEST(Refuse, ModelThatIsCutShort) {
+  const std::string path = testing::TempDir() + "refuse_cut.onnx";
+  {
+    const auto whole = std::string(PROJECT_DIR) + "/test/fixtures/stock_head.onnx";
+    ASSERT_EQ(std::system(("head -c 900 " + whole + " > " + path).c_str()), 0);
+  }
+  const auto outcome = start("detect", "refused_cut", "_model:=" + path);
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, path);
+}
+
+TEST(Refuse, ModelOfAnotherShapeIsNamedWithItsShape) {
+  const auto outcome = start("detect", "refused_shape", "_model:=" PROJECT_DIR "/test/fixtures/transposed_head.onnx");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "1x21x6");
+}
+
+TEST(Refuse, ClassFileShorterThanTheModelsClasses) {
+  const std::string path = testing::TempDir() + "refuse_classes.txt";
+  ASSERT_EQ(std::system(("echo red > " + path).c_str()), 0);
+  const auto outcome =
+      start("detect", "refused_classes", "_model:=" PROJECT_DIR "/test/fixtures/stock_head.onnx _class_file:=" + path);
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, path);
+  EXPECT_SAYS(outcome, "2");
+}
+
+}  // namespace
+}  // namespace field_fusion::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "refuse_rostest");
+  ros::NodeHandle nh;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,57 @@
+"""What was found of the made-up scene against its truth."""
+import math
+from types import SimpleNamespace
+
+import figures
+import pytest
+import scene_report
+
+
+def body(x, y, size=(1.0, 1.0), source=3, label="car", number=0):
+    return SimpleNamespace(id=number, source=source, label=label, azimuth=math.atan2(y, x),
+                           position=SimpleNamespace(x=x, y=y), size=SimpleNamespace(x=size[0], y=size[1]))
+
+
+def test_range_is_that_of_the_near_side():
+    assert scene_report.near_range(body(10, 0, (4, 2))) == 8
+    assert scene_report.near_range(body(10, 5, (2, 2))) == math.hypot(9, 4)
+    assert scene_report.near_range(body(10, 0, (math.nan, math.nan))) == 10
+
+
+def test_an_obstacle_goes_to_the_nearest_body_and_to_one_only():
+    near, far = body(10, 0, number=1), body(12, 0, number=2)
+    seen = body(11.6, 0)
+    assert scene_report.pairs([near, far], [seen]) == [(near, None), (far, seen)]
+
+
+def test_what_is_too_far_off_is_not_found():
+    assert scene_report.pairs([body(10, 0)], [body(12, 0)])[0][1] is None
+
+
+def test_only_what_the_lidar_sees_counts():
+    assert scene_report.pairs([body(10, 0, source=2)], [body(10, 0)]) == []
+    assert scene_report.pairs([body(10, 0)], [body(10, 0, source=2)])[0][1] is None
+
+
+def test_report_counts_and_averages():
+    truth = body(10, 0, (4, 2))
+    found = body(8.3, 0, (0.2, 2))
+    lines = scene_report.report([([truth], [found]), ([truth], [])])
+    assert lines[1].split() == ["car", "0", "1/2", "1/2", "1", "+0.20", "m", "+0.00", "deg"]
+    assert lines[2].startswith("figure scene/found 0.5 - n=2 ci=[")
+    assert lines[3] == "figure scene/range_mae 0.2 m n=1 ci=[0.2,0.2]"
+
+
+def test_report_of_nothing_is_not_a_number():
+    assert scene_report.report([])[1] == "figure scene/found nan - n=0 ci=[nan,nan]"
+
+
+def test_wilson_interval_is_the_published_one():
+    assert figures.wilson(10, 10) == pytest.approx((0.7225, 1.0), abs=1e-3)
+    assert figures.wilson(0, 10) == pytest.approx((0.0, 0.2775), abs=1e-3)
+
+
+def test_bootstrap_of_equal_values_has_no_width():
+    assert figures.bootstrap([2.0] * 5, max) == (2.0, 2.0)
+    low, high = figures.bootstrap(list(range(100)), lambda v: sum(v) / len(v))
+    assert low == pytest.approx(49.5 - 1.96 * 2.887, abs=0.7) and high == pytest.approx(49.5 + 1.96 * 2.887, abs=0.7)
