@@ -9,6 +9,9 @@ import time
 import xmlrpc.client
 
 
+ASK, INSIST = 20.0, 5.0  # s that a program gets to end after SIGINT, after SIGTERM
+
+
 class SessionError(RuntimeError):
     pass
 
@@ -103,8 +106,8 @@ class RosSession:
     @staticmethod
     def _end(process):
         """Asks first: roslaunch then ends its own nodes. What does not listen is killed with its children."""
-        for end, sign, patience in ((os.kill, signal.SIGINT, 20), (os.killpg, signal.SIGTERM, 5),
-                                    (os.killpg, signal.SIGKILL, 5)):
+        for end, sign, patience in ((os.kill, signal.SIGINT, ASK), (os.killpg, signal.SIGTERM, INSIST),
+                                    (os.killpg, signal.SIGKILL, INSIST)):
             if process.poll() is not None:
                 return
             end(process.pid, sign)

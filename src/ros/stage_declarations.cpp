@@ -1,6 +1,7 @@
 #include "field_fusion/ros/stage_declarations.h"
 
 #include "field_fusion/core/match/match.h"
+#include "field_fusion/ros/markers.h"
 #include "field_fusion/ros/stage_params.h"
 
 namespace field_fusion {
@@ -26,6 +27,7 @@ const std::vector<StageDeclaration>& stageDeclarations() {
       declaration<core::ClusterParams>("cluster"),
       declaration<core::DetectParams>("detect"),
       declaration<core::MatchParams>("match"),
+      declaration<MarkersParams>("markers"),
   };
   return all;
 }

@@ -19,8 +19,7 @@ struct Link {
 constexpr Link kLinks[] = {
     {"filter", "/points_filtered", "ground", "points"},    {"ground", "/points_obstacle", "cluster", "points"},
     {"cluster", "/clusters", "match", "clusters"},         {"detect", "/detections", "match", "detections"},
-    {"match", "/obstacles", "markers", "obstacles"},       {"cluster", "/clusters", "markers", "clusters"},
-    {"detect", "/detections", "markers", "detections"},
+    {"match", "/obstacles", "markers", "obstacles"},
 };
 
 /// One cloud with a post and one red image, of the same instant.

@@ -2,6 +2,7 @@
 import os
 
 import pytest
+import ros_session
 from ros_session import RosSession, SessionError
 
 
@@ -15,13 +16,14 @@ def session(tmp_path, monkeypatch):
 
 def test_master_is_the_one_of_the_environment(session):
     assert os.environ["ROS_MASTER_URI"].endswith(f":{session.port}")
-    assert "/rosout_agg" in session.topic_types()
+    assert session.wait(lambda: "/rosout_agg" in session.topic_types())
 
 
 def test_all_that_was_started_ends(tmp_path, monkeypatch):
     monkeypatch.setenv("ROS_MASTER_URI", "")
+    monkeypatch.setattr(ros_session, "ASK", 1.0)
     with RosSession(tmp_path) as session:
-        session.start("bash", "-c", "trap '' INT; sleep 1000")
+        session.start("bash", "-c", "trap '' INT; while :; do sleep 1; done")
         started = [process for process, _ in session.running]
     assert len(started) == 2 and all(process.poll() is not None for process in started)
 
@@ -30,7 +32,9 @@ def test_two_sessions_live_side_by_side(session, tmp_path):
     (tmp_path / "other").mkdir()
     with RosSession(tmp_path / "other") as other:
         assert other.port != session.port
-        assert session.topic_types() == other.topic_types()
+        other.start("rostopic", "pub", "/only_here", "std_msgs/Empty")
+        assert other.wait(lambda: "/only_here" in other.topic_types())
+        assert "/only_here" not in session.topic_types()
 
 
 def test_end_of_a_needed_program_is_told_with_its_log(session):

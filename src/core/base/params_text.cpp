@@ -68,9 +68,9 @@ std::string rangeText(const Param& param) {
 std::string toYaml(const Params& params) {
   std::string out;
   for (const auto& p : params.list()) {
-    out += p.name + ": " + valueText(p.get()) + "  # " + (p.unit.empty() ? "" : "[" + p.unit + "] ") + p.meaning;
     const auto range = rangeText(p);
-    out += (range.empty() ? " " : " " + range + ", ") + whenText(p.when) + "\n";
+    out += p.name + ": " + valueText(p.get()) + "  # " + p.meaning + " " + (range.empty() ? "" : range + ", ") +
+           whenText(p.when) + "\n";
   }
   return out;
 }

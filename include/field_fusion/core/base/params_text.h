@@ -15,7 +15,7 @@ std::string valueText(const Value& value);
 /// "[0.01, 5.0] m" or "dbscan | euclidean"; empty where there is nothing to say.
 std::string rangeText(const Param& param);
 
-/// "name: default  # [unit] meaning In range, live." a line for each parameter.
+/// "name: default  # meaning. [range] unit, live": a line for each parameter.
 std::string toYaml(const Params& params);
 
 /// A Markdown table, one row for each parameter.
