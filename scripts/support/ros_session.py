@@ -61,6 +61,11 @@ class RosSession:
         self.running.append((process, log))
         return process
 
+    def adopt(self, process):
+        """Takes a program that was started otherwise; it ends with the session."""
+        self.running.append((process, None))
+        return process
+
     def launch(self, *arguments):
         return self.start("roslaunch", *map(str, arguments))
 

@@ -34,13 +34,15 @@ def distance(body, obstacle):
 
 
 def pairs(bodies, obstacles):
-    """(body, obstacle or None) for each body that the LiDAR can see; each obstacle goes to one body."""
+    """(body, obstacle or None) for each body that the LiDAR can see; each obstacle goes to one body. Of several
+    within 0.1 m, as when a body falls apart into rings, the one that the camera agrees with comes first."""
     wanted = [body for body in bodies if body.source & LIDAR]
     offered = [obstacle for obstacle in obstacles if obstacle.source & LIDAR]
-    near = sorted(((distance(b, o), i, j) for i, b in enumerate(wanted) for j, o in enumerate(offered)))
+    order = sorted((round(distance(b, o), 1), -o.source, i, j)
+                   for i, b in enumerate(wanted) for j, o in enumerate(offered))
     found, taken = {}, set()
-    for gap_, i, j in near:
-        if gap_ <= MAX_GAP and i not in found and j not in taken:
+    for away, _, i, j in order:
+        if away <= MAX_GAP and i not in found and j not in taken:
             found[i] = offered[j]
             taken.add(j)
     return [(body, found.get(i)) for i, body in enumerate(wanted)]

@@ -46,8 +46,8 @@ std::string labelText(const ImageDetection& d) {
 
 void draw(cv::Mat& image, const ImageDetection& d) {
   const cv::Scalar colour(255, 160, 0), dark(40, 25, 0);  // BGR
-  const double scale = std::max(0.4, image.rows / 900.0);
-  const int thick = std::max(1, image.rows / 360);
+  const double scale = std::max(0.4, image.cols / 1600.0);  // legible when the image fills a third of a screen
+  const int thick = std::max(1, image.cols / 600);
   cv::rectangle(image, cv::Point2f(d.x_min, d.y_min), cv::Point2f(d.x_max, d.y_max), colour, thick);
   const auto text = labelText(d);
   int baseline = 0;

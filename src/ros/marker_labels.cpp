@@ -57,8 +57,8 @@ std::string labelText(const Obstacle& obstacle) {
     out += "range ?";
   else
     out += (std::snprintf(text, sizeof text, "%.2f m", obstacle.range), text);
-  if (std::isnan(obstacle.azimuth)) return out + "  angle ?";
-  std::snprintf(text, sizeof text, "  %+.1f deg", core::degrees(obstacle.azimuth));
+  if (std::isnan(obstacle.azimuth)) return out + ", angle ?";
+  std::snprintf(text, sizeof text, ", %+.1f deg", core::degrees(obstacle.azimuth));
   return out + text;
 }
 

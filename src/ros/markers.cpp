@@ -20,6 +20,13 @@ Eigen::Vector3d cameraPositionOf(const Obstacle& o) {
   return core::cartesian({o.range - o.range_difference, o.azimuth - o.azimuth_difference, o.elevation});
 }
 
+/// Middle of the far upper edge: what stands there is not before the body for those who look from the sensor.
+Eigen::Vector3d topOf(const Obstacle& o) {
+  const double depth = std::abs(std::cos(o.azimuth)) * o.size.x + std::abs(std::sin(o.azimuth)) * o.size.y;
+  return positionOf(o) +
+         0.5 * Eigen::Vector3d(std::cos(o.azimuth) * depth, std::sin(o.azimuth) * depth, o.size.z);
+}
+
 }  // namespace
 
 boost::shared_ptr<visualization_msgs::MarkerArray> ObstacleMarkers::draw(const ObstacleArray& obstacles) {
@@ -58,8 +65,7 @@ void ObstacleMarkers::addLidar(const Obstacle& obstacle) {
   const bool alone = obstacle.source == Obstacle::SOURCE_LIDAR;
   points_[alone ? Layer::kLidarAlone : Layer::kLidar].push_back(obstacle.position);
   addBox(points_[alone ? Layer::kBoxAlone : Layer::kBox], positionOf(obstacle), sizeOf(obstacle));
-  if (!alone)
-    addLabel(obstacle, Layer::kLabel, positionOf(obstacle) + Eigen::Vector3d(0, 0, 0.5 * obstacle.size.z));
+  if (!alone) addLabel(obstacle, Layer::kLabel, topOf(obstacle));
 }
 
 void ObstacleMarkers::addCamera(const Obstacle& obstacle) {
@@ -91,9 +97,7 @@ void ObstacleMarkers::labelNearest(const std::vector<Obstacle>& obstacles) {
   const auto count = std::min(near.size(), static_cast<std::size_t>(params_.label_count));
   std::partial_sort(near.begin(), near.begin() + count, near.end(),
                     [](const Obstacle* a, const Obstacle* b) { return a->range < b->range; });
-  for (std::size_t i = 0; i < count; ++i)
-    addLabel(*near[i], Layer::kLabelAlone,
-             positionOf(*near[i]) + Eigen::Vector3d(0, 0, 0.5 * near[i]->size.z));
+  for (std::size_t i = 0; i < count; ++i) addLabel(*near[i], Layer::kLabelAlone, topOf(*near[i]));
 }
 
 visualization_msgs::Marker ObstacleMarkers::marker(const std_msgs::Header& header, Layer layer, int id,

@@ -21,7 +21,7 @@ using namespace field_fusion;
 constexpr double kRate = 10.0;       // frames per second
 constexpr double kStart = 1000.0;    // s, stamp of the first frame
 constexpr double kMinVisible = 0.5;  // share of a body that the made-up detector needs to see
-constexpr double kEdgeNoise = 1.5;   // px, its error at each edge of a box
+constexpr double kEdgeNoise = 1.0;   // px, its error at each edge of a box
 constexpr double kMissed = 0.02;     // share of bodies that it overlooks
 constexpr int kMinReturns = 10;      // that the LiDAR needs to have seen a body
 
@@ -46,6 +46,7 @@ core::Detections detect(const core::Scene& scene, const core::ScenePicture& pict
   std::bernoulli_distribution missed(kMissed);
   const cv::Size size = picture.image.size();
   core::Detections out;
+  out.input_scale = core::RangeParams().box_pixel_error / kEdgeNoise;  // so that range_sigma tells this error
   for (std::size_t i = 0; i < scene.size(); ++i) {
     const auto known = std::find(kClasses.begin(), kClasses.end(), scene[i].label);
     const core::View& view = picture.views[i];

@@ -12,16 +12,16 @@ namespace {
 using test::obstacleAt;
 
 TEST(LabelText, TellsClassConfidenceRangeAndAngle) {
-  EXPECT_EQ(labelText(obstacleAt(Obstacle::SOURCE_BOTH, 7.92, 1.2, "car")), "car 0.50\n7.92 m  +1.2 deg");
-  EXPECT_EQ(labelText(obstacleAt(Obstacle::SOURCE_LIDAR, 12.0, -20.0)), "12.00 m  -20.0 deg");
+  EXPECT_EQ(labelText(obstacleAt(Obstacle::SOURCE_BOTH, 7.92, 1.2, "car")), "car 0.50\n7.92 m, +1.2 deg");
+  EXPECT_EQ(labelText(obstacleAt(Obstacle::SOURCE_LIDAR, 12.0, -20.0)), "12.00 m, -20.0 deg");
 }
 
 TEST(LabelText, AdmitsWhatIsNotKnown) {
   auto o = obstacleAt(Obstacle::SOURCE_CAMERA, 10.0, 5.0, "boat");
   o.range = core::kNaN;
-  EXPECT_EQ(labelText(o), "boat 0.50\nrange ?  +5.0 deg");
+  EXPECT_EQ(labelText(o), "boat 0.50\nrange ?, +5.0 deg");
   o.azimuth = core::kNaN;
-  EXPECT_EQ(labelText(o), "boat 0.50\nrange ?  angle ?");
+  EXPECT_EQ(labelText(o), "boat 0.50\nrange ?, angle ?");
 }
 
 TEST(LabelText, LongClassNameIsCut) {
@@ -30,7 +30,7 @@ TEST(LabelText, LongClassNameIsCut) {
 
 Label labelOver(const Eigen::Vector3d& top) {
   Label out;
-  out.text = "car 0.50\n7.92 m  +1.2 deg";
+  out.text = "car 0.50\n7.92 m, +1.2 deg";
   out.place = top;
   return out;
 }

@@ -106,7 +106,7 @@ TEST(ObstacleMarkers, CircleHasTheToleranceForRadius) {
 TEST(ObstacleMarkers, LabelStandsAboveTheBox) {
   const auto array = ObstacleMarkers().draw(arrayOf({kPair}));
   const auto* label = find(*array, "label");
-  EXPECT_EQ(label->text, "car 0.50\n8.00 m  +0.0 deg");
+  EXPECT_EQ(label->text, "car 0.50\n8.00 m, +0.0 deg");
   EXPECT_GT(label->pose.position.z - label->scale.z, 0.5);
 }
 

@@ -24,6 +24,11 @@ def test_an_obstacle_goes_to_the_nearest_body_and_to_one_only():
     assert scene_report.pairs([near, far], [seen]) == [(near, None), (far, seen)]
 
 
+def test_of_pieces_of_one_body_the_fused_one_counts():
+    alone, fused = body(9.5, 0, source=1), body(9.52, 0, source=3)
+    assert scene_report.pairs([body(10, 0)], [alone, fused])[0][1] is fused
+
+
 def test_what_is_too_far_off_is_not_found():
     assert scene_report.pairs([body(10, 0)], [body(12, 0)])[0][1] is None
 

@@ -10,7 +10,7 @@
 
 namespace field_fusion {
 
-/// Class and confidence where known, then range and azimuth: "car 0.91\n7.92 m  +1.2 deg".
+/// Class and confidence where known, then range and azimuth: "car 0.91\n7.92 m, +1.2 deg".
 std::string labelText(const Obstacle& obstacle);
 
 struct Label {

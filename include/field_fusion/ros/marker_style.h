@@ -43,7 +43,7 @@ inline const LayerStyle& styleOf(Layer layer) {
       {Layer::kPair, "pair", M::LINE_LIST, 1.5, 1.00f, 1.00f, 1.00f, 1.0f},
       {Layer::kBearing, "bearing", M::LINE_LIST, 1.0, 0.20f, 0.45f, 1.00f, 0.6f},
       {Layer::kLabel, "label", M::TEXT_VIEW_FACING, 1.0, 1.00f, 1.00f, 1.00f, 1.0f},
-      {Layer::kLabelAlone, "label_alone", M::TEXT_VIEW_FACING, 0.7, 0.75f, 0.75f, 0.75f, 0.8f},
+      {Layer::kLabelAlone, "label_alone", M::TEXT_VIEW_FACING, 0.8, 0.75f, 0.75f, 0.75f, 0.9f},
       {Layer::kLabelCamera, "label_camera", M::TEXT_VIEW_FACING, 1.0, 0.55f, 0.75f, 1.00f, 1.0f},
   }};
   return kTable[static_cast<std::size_t>(layer)];

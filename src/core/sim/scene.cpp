@@ -58,15 +58,15 @@ Scene quayScene() {
   const Eigen::Vector2d still(0, 0);
   return {{"person", kCylinder, person, {8, 2.5}, {0, 1.5}, 12, {60, 120, 230}},
           {"person", kCylinder, person, {12, -3}, {2, 0.5}, 16, {90, 190, 90}},
-          {"person", kCylinder, person, {16, 5.5}, still, 10, {190, 120, 60}},
-          {"car", kBox, car, {20, 0}, {3, 0}, 14, {50, 50, 200}},
+          {"person", kCylinder, person, {13, 5}, still, 10, {190, 120, 60}},
+          {"car", kBox, car, {16, 0}, {3, 0}, 14, {50, 50, 200}},
           {"car", kBox, {1.8, 4.3, 1.5}, {14, -8}, still, 10, {200, 140, 40}},
-          {"truck", kBox, {8, 2.5, 3.2}, {34, 7}, {4, 0}, 20, {200, 200, 205}},
-          {"", kBox, {6, 2.4, 2.6}, {27, -12}, still, 10, {40, 110, 180}},    // container
-          {"", kBox, {12, 2.4, 2.6}, {27, 14.5}, still, 10, {120, 120, 60}},  // container
+          {"truck", kBox, {8, 2.5, 3.2}, {25, 6.5}, {3, 0}, 20, {200, 200, 205}},
+          {"", kBox, {6, 2.4, 2.6}, {24, -11.5}, still, 10, {40, 110, 180}},  // container
+          {"", kBox, {12, 2.4, 2.6}, {25, 14}, still, 10, {120, 120, 60}},    // container
           {"", kCylinder, bollard, {9, -5.5}, still, 10, {70, 70, 70}},
           {"", kCylinder, bollard, {9, 6.5}, still, 10, {70, 70, 70}},
-          {"", kCylinder, {0.3, 0.3, 6}, {22, 9.5}, still, 10, {110, 110, 115}}};  // lamp post
+          {"", kCylinder, {0.3, 0.3, 6}, {15, 8.5}, still, 10, {110, 110, 115}}};  // lamp post
 }
 
 Hit cast(const Scene& scene, double time, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Plays a recording through usv.launch, shows it in RViz and prints what was found. Called by scripts/demo."""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from ros_session import RosSession
+
+SIZE = "1600x900"
+MODEL = "yolov8n_coco/yolov8n_deq_fp32.onnx"
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float)
+    parser.add_argument("--picture", type=pathlib.Path)
+    parser.add_argument("--scene", action="store_true")
+    given = parser.parse_args()
+    given.display = bool(os.environ.get("DISPLAY"))
+    if not given.display:
+        given.picture = given.picture or pathlib.Path("demo.png")
+        given.seconds = given.seconds or 20.0
+    return given
+
+
+def recording(folder, scene):
+    """(bag, model) to play; the model is empty where detections are in the bag."""
+    data = pathlib.Path(os.environ.get("FIELD_FUSION_DATA", "/nonexistent"))
+    bag = folder / "demo.bag"
+    if not scene and (data / "kitti_sequence").is_dir() and (data / MODEL).is_file():
+        print(f"real recording: {data / 'kitti_sequence'}, ten frames again and again; YOLOv8n with COCO classes")
+        subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", data / "kitti_sequence", bag, "--repeat", "60"],
+                       check=True, stdout=subprocess.DEVNULL)
+        return bag, data / MODEL
+    print("made-up scene; its DETECTIONS COME FROM THE GENERATOR, not from a detector (set FIELD_FUSION_DATA for a real drive)")
+    subprocess.run(["rosrun", "field_fusion", "make_scene", bag, "--seconds", "60"], check=True, stdout=subprocess.DEVNULL)
+    return bag, ""
+
+
+def virtual_display(session):
+    """Starts one on a free number and makes it this process's display."""
+    read, write = os.pipe()
+    os.set_inheritable(write, True)
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{SIZE}x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    session.adopt(server)
+    with os.fdopen(read) as answer:
+        number = answer.readline().strip()
+    if not number:
+        sys.exit("demo: Xvfb did not start")
+    os.environ.update(DISPLAY=f":{number}", LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
+
+
+def take_picture(file):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["import", "-window", "root", str(file)], check=True)
+    print(f"picture of RViz: {file}")
+
+
+def main():
+    given = options()
+    if given.picture and not shutil.which("import"):
+        sys.exit("demo: ImageMagick's `import` is missing; run scripts/install_dependencies")
+    with tempfile.TemporaryDirectory(prefix="field_fusion_demo_") as scratch, RosSession() as session:
+        bag, model = recording(pathlib.Path(scratch), given.scene)
+        if not given.display:
+            virtual_display(session)
+        launch = session.launch("field_fusion", "usv.launch", f"bag:={bag}", f"model:={model}", "bag_args:=--loop")
+        limit = ["--limit", str(given.seconds)] if given.seconds else []
+        report = pathlib.Path(__file__).with_name("drive_report.py" if model else "scene_report.py")
+        reporter = session.adopt(subprocess.Popen([sys.executable, report, *limit]))
+        started = time.monotonic()
+        over = lambda: launch.poll() is not None or (given.seconds and time.monotonic() - started > given.seconds)
+        try:
+            session.wait(over, seconds=float("inf"))
+            if given.picture and launch.poll() is None:
+                take_picture(given.picture)
+            session.wait(lambda: reporter.poll() is not None, 10.0)
+        except KeyboardInterrupt:
+            pass
+        return launch.poll() or reporter.poll() or 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
