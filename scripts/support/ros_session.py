@@ -70,8 +70,10 @@ class RosSession:
         return self.start("roslaunch", *map(str, arguments))
 
     def listen(self, topics):
-        """Subscribes to topics, so that stages which wait for a listener begin to work."""
-        return self.start("rostopic", "hz", *topics)
+        """Subscribes to topics of any type, so that stages which wait for a listener begin to work."""
+        program = ("import sys, rospy; rospy.init_node('listener', anonymous=True);"
+                   "kept = [rospy.Subscriber(t, rospy.AnyMsg, lambda m: None) for t in sys.argv[1:]]; rospy.spin()")
+        return self.start("/usr/bin/python3", "-c", program, *topics)
 
     def system_state(self):
         """(publishers, subscribers, services), each a list of [name, [nodes]]."""

@@ -12,6 +12,14 @@ namespace {
 constexpr double kLetterAspect = 0.55;  // mean width of a letter over its height
 constexpr double kLinePitch = 1.3;      // distance of lines over the height of a letter
 
+constexpr std::size_t kLongestName = 40;
+
+std::string text(const char* format, double number) {
+  char out[64];
+  std::snprintf(out, sizeof out, format, number);
+  return out;
+}
+
 struct TextSize {
   double width, height;  // [m]
 };
@@ -47,19 +55,11 @@ bool overlap(const Cover& a, const Cover& b) {
 }  // namespace
 
 std::string labelText(const Obstacle& obstacle) {
-  char text[256];
-  std::string out;
-  if (!obstacle.label.empty()) {
-    std::snprintf(text, sizeof text, "%.60s %.2f\n", obstacle.label.c_str(), obstacle.label_probability);
-    out = text;
-  }
-  if (std::isnan(obstacle.range))
-    out += "range ?";
-  else
-    out += (std::snprintf(text, sizeof text, "%.2f m", obstacle.range), text);
-  if (std::isnan(obstacle.azimuth)) return out + ", angle ?";
-  std::snprintf(text, sizeof text, ", %+.1f deg", core::degrees(obstacle.azimuth));
-  return out + text;
+  std::string out = "range ?";
+  if (!std::isnan(obstacle.range)) out = text("%.2f m", obstacle.range);
+  out += std::isnan(obstacle.azimuth) ? ", angle ?" : text(", %+.1f deg", core::degrees(obstacle.azimuth));
+  if (obstacle.label.empty()) return out;
+  return obstacle.label.substr(0, kLongestName) + text(" %.2f\n", obstacle.label_probability) + out;
 }
 
 void layOut(std::vector<Label>& labels) {
@@ -71,10 +71,10 @@ void layOut(std::vector<Label>& labels) {
     label.place.z() += 0.5 * sizeOf(label).height + 0.3 * label.letter;
     const double flat = std::max(label.place.head<2>().norm(), 1.0);
     Cover cover = coverOf(label);
-    // the lowest free place is just above one of those taken, so going up from one to the next finds it
-    for (auto hit = taken.begin(); hit != taken.end();) {
-      hit =
-          std::find_if(taken.begin(), taken.end(), [&](const Cover& other) { return overlap(cover, other); });
+    // a free place is just above one of those taken, and no climb comes back to one left below
+    for (std::size_t climb = 0; climb < taken.size(); ++climb) {
+      const auto hit =
+          std::find_if(taken.begin(), taken.end(), [&](const Cover& c) { return overlap(cover, c); });
       if (hit == taken.end()) break;
       label.place.z() += (hit->high - cover.low) * flat + 1e-6;
       cover = coverOf(label);

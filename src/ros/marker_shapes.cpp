@@ -1,5 +1,6 @@
 #include "field_fusion/ros/marker_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "field_fusion/core/base/types.h"

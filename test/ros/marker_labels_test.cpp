@@ -80,7 +80,13 @@ TEST(LayOut, NoLabelCoversAnotherSeenFromTheSensor) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(covers(labels[i], labels[j])) << i << " and " << j;
 }
 
-TEST(LayOut, LabelsAtOnePlaceEnd) {
+TEST(LayOut, EndsWhereNumbersAreTooCoarseToMoveUp) {
+  std::vector<Label> labels(20, labelOver({1e16, 0, 1e16}));
+  layOut(labels);
+  EXPECT_EQ(labels.size(), 20u);
+}
+
+TEST(LayOut, LabelsAtOnePlaceStandOneAboveTheOther) {
   std::vector<Label> labels(50, labelOver({0, 0, 0}));
   layOut(labels);
   for (std::size_t i = 1; i < labels.size(); ++i)

@@ -20,7 +20,7 @@ Tr_velo_to_cam: 0 -1 0 0 0 0 -1 -0.1 1 0 0 -0.2
 
 def rosrun(*arguments):
     command = ["bash", "-c", '. "$0" && exec rosrun field_fusion "$@"', SETUP, *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True)
+    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 
 def read(bag_file):
