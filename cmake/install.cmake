@@ -1,3 +1,4 @@
+# Where catkin packages have their parts; the programs in Python are in scripts.cmake.
 install(TARGETS field_fusion_core field_fusion_ros field_fusion_nodelets
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

@@ -23,6 +23,10 @@ file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
 add_library(field_fusion_nodelets ${nodelet_sources})
 target_link_libraries(field_fusion_nodelets field_fusion_ros)
 
+# the benchmarks were made before catkin named the place where rosrun looks
+set_target_properties(${core_programs} PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+
 file(GLOB tool_sources CONFIGURE_DEPENDS src/tools/*.cpp)
 foreach(source ${tool_sources})
   get_filename_component(name ${source} NAME_WE)
@@ -31,6 +35,7 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 
+include(cmake/scripts.cmake)
 include(cmake/install.cmake)
 if(CATKIN_ENABLE_TESTING)
   include(cmake/test.cmake)

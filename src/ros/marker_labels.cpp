@@ -35,16 +35,19 @@ TextSize sizeOf(const Label& label) {
           kLinePitch * label.letter * static_cast<double>(lines)};
 }
 
-/// What a label covers, seen from the origin: azimuth [rad] and the tangent of the elevation.
+/// What a label covers, seen from kEye: azimuth [rad] and the tangent of the elevation.
 struct Cover {
   double azimuth, half_width, low, high;
 };
 
+double flatDistance(const Label& label) { return std::max((label.place - kEye).head<2>().norm(), 1.0); }
+
 Cover coverOf(const Label& label) {
   const TextSize size = sizeOf(label);
-  const double flat = std::max(label.place.head<2>().norm(), 1.0);
-  return {std::atan2(label.place.y(), label.place.x()), std::atan(0.5 * size.width / flat),
-          (label.place.z() - 0.5 * size.height) / flat, (label.place.z() + 0.5 * size.height) / flat};
+  const Eigen::Vector3d from_eye = label.place - kEye;
+  const double flat = flatDistance(label);
+  return {std::atan2(from_eye.y(), from_eye.x()), std::atan(0.5 * size.width / flat),
+          (from_eye.z() - 0.5 * size.height) / flat, (from_eye.z() + 0.5 * size.height) / flat};
 }
 
 bool overlap(const Cover& a, const Cover& b) {
@@ -63,13 +66,12 @@ std::string labelText(const Obstacle& obstacle) {
 }
 
 void layOut(std::vector<Label>& labels) {
-  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
-    return a.place.head<2>().squaredNorm() < b.place.head<2>().squaredNorm();
-  });
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const Label& a, const Label& b) { return flatDistance(a) < flatDistance(b); });
   std::vector<Cover> taken;
   for (Label& label : labels) {
     label.place.z() += 0.5 * sizeOf(label).height + 0.3 * label.letter;
-    const double flat = std::max(label.place.head<2>().norm(), 1.0);
+    const double flat = flatDistance(label);
     Cover cover = coverOf(label);
     // a free place is just above one of those taken, and no climb comes back to one left below
     for (std::size_t climb = 0; climb < taken.size(); ++climb) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "support/obstacles.h"
@@ -53,14 +54,14 @@ TEST(LayOut, LabelsFarApartStayDown) {
 }
 
 TEST(LayOut, NearestKeepsItsPlaceAndTheOneBehindMovesUp) {
-  std::vector<Label> labels{labelOver({20, 0, 1}), labelOver({10, 0, 1})};
+  std::vector<Label> labels{labelOver({11, 0, 0}), labelOver({10, 0, 0})};
   layOut(labels);
   EXPECT_EQ(labels[0].place.x(), 10.0);
-  const double near_top = (labels[0].place.z() + kHalfHeight) / 10.0;
-  EXPECT_GE((labels[1].place.z() - kHalfHeight) / 20.0, near_top);
+  const double near_top = (labels[0].place.z() + kHalfHeight - kEye.z()) / (10.0 - kEye.x());
+  EXPECT_GE((labels[1].place.z() - kHalfHeight - kEye.z()) / (11.0 - kEye.x()), near_top);
 }
 
-TEST(LayOut, NoLabelCoversAnotherSeenFromTheSensor) {
+TEST(LayOut, NoLabelCoversAnotherInTheView) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> x(3, 30), y(-15, 15), z(-1, 2);
   std::vector<Label> labels;
@@ -69,9 +70,10 @@ TEST(LayOut, NoLabelCoversAnotherSeenFromTheSensor) {
   // the text is 17 letters wide; less than 0.5 m a letter, and 0.5 m a line
   const auto covers = [](const Label& a, const Label& b) {
     const auto view = [](const Label& l) {
-      const double flat = l.place.head<2>().norm();
-      return std::array<double, 4>{std::atan2(l.place.y(), l.place.x()), std::atan(0.5 * 17 * 0.25 / flat),
-                                   (l.place.z() - kHalfHeight) / flat, (l.place.z() + kHalfHeight) / flat};
+      const Eigen::Vector3d p = l.place - kEye;
+      const double flat = p.head<2>().norm();
+      return std::array<double, 4>{std::atan2(p.y(), p.x()), std::atan(0.5 * 17 * 0.25 / flat),
+                                   (p.z() - kHalfHeight) / flat, (p.z() + kHalfHeight) / flat};
     };
     const auto u = view(a), v = view(b);
     return std::abs(u[0] - v[0]) < u[1] + v[1] && u[2] < v[3] && v[2] < u[3];

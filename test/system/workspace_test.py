@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 from conftest import ROOT
+from ros_session import RosSession
 
 SCRATCH = os.environ.get("FIELD_FUSION_SCRATCH")
 pytestmark = pytest.mark.skipif(not SCRATCH, reason="run by scripts/test, which names a scratch folder")
@@ -64,7 +65,6 @@ def test_user_workspace_lists_the_package_once(user_workspace):
 
 def test_stage_loads_from_the_user_workspace(user_workspace):
     # a parameter that does not exist: the plug-in was found and loaded when it complains about that
-    refused = in_workspace(user_workspace, "export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11877; roscore -p 11877 >/dev/null 2>&1 & "
-                           "core=$!; until rosparam list >/dev/null 2>&1; do :; done; "
-                           "timeout 20 rosrun nodelet nodelet standalone field_fusion/filter _typo:=1; kill $core; wait $core")
+    with RosSession():
+        refused = in_workspace(user_workspace, "timeout 20 rosrun nodelet nodelet standalone field_fusion/filter _typo:=1")
     assert "typo is not a parameter of this stage" in refused.stdout, refused.stdout

@@ -20,8 +20,11 @@ struct Label {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< [m] in: top of what it belongs to; out: its middle
 };
 
-/// Moves each label up until its text covers neither what it belongs to nor, seen from the frame's origin,
-/// a label nearer by.
+/// [m] Where the view of rviz/usv.rviz looks from: behind and above the sensor.
+inline const Eigen::Vector3d kEye(-10.0, 0.0, 8.0);
+
+/// Moves each label up until its text covers neither what it belongs to nor, seen from kEye, a label nearer
+/// by.
 void layOut(std::vector<Label>& labels);
 
 }  // namespace field_fusion
