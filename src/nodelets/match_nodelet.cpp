@@ -13,12 +13,12 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     onParams();
     sync_ = std::make_unique<PairSync>(params().sync);
     obstacles_ = output<ObstacleArray>("obstacles");
-    input<ClusterArray>("clusters", [this](const auto& clusters) { add(clusters); });
+    clusters_ = &input<ClusterArray>("clusters", [this](const auto& clusters) { add(clusters); });
+    clusters_->deferred = true;  // their work ends when they go out, with or without a partner
     detections_ = &input<ImageDetectionArray>(
         "detections", [this](const auto& detections) { add(detections); },
         [this](auto& d) { return frame_.empty() || tf().has(frame_, d.header.frame_id, d.header.stamp); });
-    // a nodelet's own queue never runs two callbacks at a time: this one takes turns with the handlers
-    poll_ = getNodeHandle().createWallTimer(ros::WallDuration(0.01), [this](const auto&) { release(); });
+    poll_ = every(0.01, [this] { release(); });
   }
   void onParams() override { matcher_.setParams(params()); }
   void onTimeJump() override { sync_->reset(); }
@@ -39,6 +39,7 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     std::string no_place;
     frame_ = pair.clusters->header.frame_id;
     obstacles_.publish(matchPair(matcher_, pair, tf(), no_place));
+    count(*clusters_, pair.arrival);
     if (!no_place.empty()) fault(*detections_, pair.detections->header.stamp, no_place);
   }
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
@@ -50,7 +51,7 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
   std::unique_ptr<PairSync> sync_;
   std::string frame_;  // of the last clusters
   Output<ObstacleArray> obstacles_;
-  InputPort* detections_ = nullptr;
+  InputPort *clusters_ = nullptr, *detections_ = nullptr;
   ros::WallTimer poll_;
 };
 

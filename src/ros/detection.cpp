@@ -4,6 +4,7 @@
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace field_fusion {
@@ -44,19 +45,33 @@ std::string labelText(const ImageDetection& d) {
   return text;
 }
 
-void draw(cv::Mat& image, const ImageDetection& d) {
-  const cv::Scalar colour(255, 160, 0), dark(40, 25, 0);  // BGR
+/// Where a label of this size goes: above its box, then ever higher until it covers no other; inside the image.
+cv::Rect labelPlace(const ImageDetection& d, cv::Size label, cv::Size image, const std::vector<cv::Rect>& taken) {
+  const int left = std::max(0, std::min(static_cast<int>(d.x_min), image.width - label.width));
+  cv::Rect place({left, std::max(0, static_cast<int>(d.y_min) - label.height)}, label);
+  const auto covers = [&](const cv::Rect& other) { return (place & other).area() > 0; };
+  while (place.y > 0 && std::any_of(taken.begin(), taken.end(), covers)) --place.y;
+  return place;
+}
+
+void drawLabel(cv::Mat& image, const ImageDetection& d, std::vector<cv::Rect>& taken) {
   const double scale = std::max(0.4, image.cols / 1600.0);  // legible when the image fills a third of a screen
-  const int thick = std::max(1, image.cols / 600);
-  cv::rectangle(image, cv::Point2f(d.x_min, d.y_min), cv::Point2f(d.x_max, d.y_max), colour, thick);
   const auto text = labelText(d);
   int baseline = 0;
   const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &baseline);
-  // above the box, or inside it where the image ends; never beyond the right border
-  const int left = std::max(0, std::min(static_cast<int>(d.x_min), image.cols - size.width));
-  const int bottom = d.y_min >= size.height + baseline ? static_cast<int>(d.y_min) : static_cast<int>(d.y_min) + size.height + baseline;
-  cv::rectangle(image, {left, bottom - size.height - baseline, size.width, size.height + baseline}, dark, cv::FILLED);
-  cv::putText(image, text, {left, bottom - baseline / 2 - 1}, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255}, 1, cv::LINE_AA);
+  const auto place = labelPlace(d, {size.width, size.height + baseline}, image.size(), taken);
+  taken.push_back(place);
+  cv::rectangle(image, place, {40, 25, 0}, cv::FILLED);
+  cv::putText(image, text, {place.x, place.y + size.height + baseline / 2}, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255}, 1,
+              cv::LINE_AA);
+}
+
+void draw(cv::Mat& image, const ImageDetectionArray& detections) {
+  const int thick = std::max(1, image.cols / 600);
+  for (const auto& d : detections.detections)
+    cv::rectangle(image, cv::Point2f(d.x_min, d.y_min), cv::Point2f(d.x_max, d.y_max), {255, 160, 0}, thick);
+  std::vector<cv::Rect> taken;
+  for (const auto& d : detections.detections) drawLabel(image, d, taken);
 }
 
 }  // namespace
@@ -106,7 +121,7 @@ boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image, const Im
     cv::cvtColor(image.pixels, canvas, cv::COLOR_RGB2BGR);
   else
     canvas = image.pixels.clone();
-  for (const auto& detection : detections.detections) draw(canvas, detection);
+  draw(canvas, detections);
   return cv_bridge::CvImage(detections.header, encoding::BGR8, canvas).toImageMsg();
 }
 

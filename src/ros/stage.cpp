@@ -9,7 +9,8 @@
 namespace field_fusion {
 namespace {
 
-const ros::WallDuration kHoldPoll(0.005), kDiagnosticsPeriod(1.0);
+constexpr double kHoldPoll = 0.005;          // [s] of wall time
+const ros::WallDuration kDiagnosticsPeriod(1.0);
 
 }  // namespace
 
@@ -38,10 +39,8 @@ void Stage::start() {
   updater_->add("stage", this, &Stage::diagnose);
   // the updater's own clock stands still when the time of a bag jumps back
   diagnostics_timer_ = getNodeHandle().createWallTimer(kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { updater_->force_update(); });
-  hold_timer_ = getNodeHandle().createWallTimer(kHoldPoll, [this](const ros::WallTimerEvent&) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    release();
-  }, false, false);
+  hold_timer_ = every(kHoldPoll, [this] { release(); });
+  hold_timer_.stop();
   updateSubscriptions();
 }
 
@@ -60,6 +59,18 @@ InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Imag
     return std::make_shared<image_transport::Subscriber>(transport.subscribe(topic, kQueue, receive, ros::VoidPtr(), hints));
   };
   return port;
+}
+
+ros::WallTimer Stage::every(double seconds, std::function<void()> work) {
+  const auto turn = [this, work](const ros::WallTimerEvent&) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    try {
+      work();
+    } catch (const std::exception& e) {
+      NODELET_ERROR_STREAM_THROTTLE(5.0, "periodic work failed: " << e.what());
+    }
+  };
+  return getNodeHandle().createWallTimer(ros::WallDuration(seconds), turn);
 }
 
 TfCache& Stage::tf() {

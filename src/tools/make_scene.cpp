@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <opencv2/imgproc.hpp>
 
 #include "field_fusion/ObstacleArray.h"
 #include "field_fusion/core/sim/scene_camera.h"
@@ -38,6 +39,14 @@ std_msgs::Header headerAt(const ros::Time& stamp, const char* frame) {
   header.stamp = stamp;
   header.frame_id = frame;
   return header;
+}
+
+/// Says on the image where its boxes come from.
+cv::Mat captioned(const cv::Mat& image) {
+  cv::Mat out = image.clone();
+  cv::putText(out, "made-up scene: detections by its generator, not by a detector", {12, out.rows - 14},
+              cv::FONT_HERSHEY_SIMPLEX, 0.9, {255, 255, 255}, 2, cv::LINE_AA);
+  return out;
 }
 
 /// What a detector that errs at the edges, and overlooks some, would say.
@@ -105,10 +114,12 @@ class Recorder {
     const core::ScenePicture picture = core::picture(scene_, time, camera_);
     const sensor_msgs::CameraInfo info = cameraInfo(camera, camera_.pinhole, camera_.size);
     const CameraModel model(info);
+    const auto detections = detectionMessage(camera, camera_.size, detect(scene_, picture, random_),
+                                             kClasses, &model, core::RangeParams());
     bag_.write("/image_raw", *cv_bridge::CvImage(camera, "bgr8", picture.image).toImageMsg());
     bag_.write("/camera_info", info);
-    bag_.write("/detections", *detectionMessage(camera, camera_.size, detect(scene_, picture, random_),
-                                                kClasses, &model, core::RangeParams()));
+    bag_.write("/detections", *detections);
+    bag_.write("/annotated_image", *annotated({captioned(picture.image)}, *detections));
 
     core::SceneScan scan = core::scan(scene_, time, lidar_, random_);
     ObstacleArray bodies = truth(scene_, time, scan, picture, T_lidar_base_);

@@ -69,6 +69,12 @@ class Stage : public nodelet::Nodelet {
   /// Counts and logs a fault of an input.
   void fault(InputPort& port, const ros::Time& stamp, const std::string& text);
 
+  /// Calls `work` every so often (wall time), in turn with the handlers; what it throws is logged.
+  ros::WallTimer every(double seconds, std::function<void()> work);
+
+  /// Ends the work on a message of a deferred input in the stage's own turn.
+  void count(InputPort& port, ros::WallTime arrival);
+
   /// Ends, in a worker's thread, the work on a message of a deferred input: `compute` runs beside the handlers,
   /// `publish` takes its result and runs like one of them. What either throws drops the message.
   template <class Compute, class Publish>
@@ -119,7 +125,6 @@ class Stage : public nodelet::Nodelet {
   void jump(InputPort& port, const ros::Time& stamp);
   void handle(InputPort& port, const Arrival& arrival);
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);
-  void count(InputPort& port, ros::WallTime arrival);
   bool waits(const InputPort& port) const;
   void release();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
