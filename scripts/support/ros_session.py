@@ -24,7 +24,7 @@ def free_port():
 
 class RosSession:
     """Starts roscore on a free port and sets the environment so that this process, too, talks to it. On
-    leaving, everything that was started is ended. Logs go to `folder`, else to one that goes with the session."""
+    leaving, everything that was started is ended and the environment is as before. Logs go to `folder`, else to one that goes with the session."""
 
     def __init__(self, folder=None):
         self._scratch = None if folder else tempfile.TemporaryDirectory(prefix="ros_session_")
@@ -34,6 +34,7 @@ class RosSession:
         self.running = []
 
     def __enter__(self):
+        self._before = dict(os.environ)
         os.environ.pop("ROS_HOSTNAME", None)
         os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{self.port}", ROS_IP="127.0.0.1",
                           ROS_HOME=str(self.folder / "ros"))
@@ -49,6 +50,8 @@ class RosSession:
         for process, _ in reversed(self.running):
             self._end(process)
         self.running.clear()
+        os.environ.clear()
+        os.environ.update(self._before)
         if self._scratch:
             self._scratch.cleanup()
 

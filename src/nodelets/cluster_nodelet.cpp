@@ -37,7 +37,8 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
   std::size_t count_ = 0, noise_ = 0, too_large_ = 0, unusable_ = 0;
   Output<ClusterArray> clusters_;
 };
+using ClusterStage = Unloadable<ClusterNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::ClusterNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::ClusterStage, nodelet::Nodelet)

@@ -16,34 +16,31 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
     detections_ = output<ImageDetectionArray>("detections");
     annotated_ = output<sensor_msgs::Image>("annotated_image");
     info_ = &input<sensor_msgs::CameraInfo>("camera_info", [this](const auto& info) { camera_.add(*info); });
-    image_ = &imageInput("image", [this](const auto& image) { onImage(image); },
-                         [this](const sensor_msgs::Image& image) { return camera_.ready(image.header.stamp); });
+    const auto ready = [this](const auto& image) { return camera_.ready(image.header.stamp); };
+    image_ = &imageInput(
+        "image", [this](const auto& image) { onImage(image); }, ready);
     image_->deferred = true;
   }
 
   void onParams() override { settings_ = std::make_shared<const core::DetectParams>(params()); }
-
-  void onTimeJump() override {
-    worker_->clear();
-    camera_.reset();
-  }
+  void onTimeJump() override { worker_->clear(), camera_.reset(); }
 
   void onImage(const sensor_msgs::Image::ConstPtr& image) {
-    DetectJob job{image, nullptr, settings_, ros::WallTime::now(), !annotated_.unwanted()};
-    try {
-      job.camera = camera_.modelFor(*image);
-    } catch (const std::exception& e) {  // the image is good: its boxes go out without bearing
-      fault(*info_, image->header.stamp, e.what());
-    }
-    if (worker_->offer(std::move(job))) ++image_->skipped;
+    std::string no_camera;
+    const auto camera = camera_.modelFor(*image, no_camera);
+    // the image is good: its boxes go out without bearing
+    if (!camera) fault(*info_, image->header.stamp, no_camera);
+    if (worker_->offer({image, camera, settings_, ros::WallTime::now(), !annotated_.unwanted()}))
+      ++image_->skipped;
   }
 
   void work(const DetectJob& job) {
-    complete(*image_, job.image->header.stamp, job.arrival, [&] { return (*task_)(job); },
-             [this](const DetectResult& result) {
-               detections_.publish(result.detections);
-               if (result.annotated) annotated_.publish(result.annotated);
-             });
+    complete(
+        *image_, job.image->header.stamp, job.arrival, [&] { return (*task_)(job); },
+        [this](const DetectResult& result) {
+          detections_.publish(result.detections);
+          if (result.annotated) annotated_.publish(result.annotated);
+        });
   }
 
   static constexpr int kNiceness = 5;  // behind the LiDAR chain
@@ -55,7 +52,8 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
   std::unique_ptr<DetectTask> task_;
   std::unique_ptr<LatestWorker<DetectJob>> worker_;  // last: its thread uses all of the above
 };
+using DetectStage = Unloadable<DetectNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::DetectNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::DetectStage, nodelet::Nodelet)

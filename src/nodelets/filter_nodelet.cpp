@@ -13,21 +13,19 @@ class FilterNodelet : public StageNodelet<FilterStageParams> {
   void onStart() override {
     onParams();
     kept_ = output<CloudMessage>("points_filtered");
-    input<CloudMessage>("points", [this](const auto& cloud) { onCloud(*cloud); },
-                        [this](const CloudMessage& cloud) { return tf().has(boxFrame(cloud), cloud.header.frame_id, cloud.header.stamp); });
+    input<CloudMessage>(
+        "points", [this](const auto& cloud) { onCloud(*cloud); },
+        [this](const auto& cloud) { return tf().has(params().box_frame, cloud.header); });
   }
 
   void onParams() override { filter_.setParams(params().filter); }
-
-  const std::string& boxFrame(const CloudMessage& cloud) const {
-    return params().box_frame.empty() ? cloud.header.frame_id : params().box_frame;
-  }
 
   void onCloud(const CloudMessage& cloud) {
     auto kept = boost::make_shared<CloudMessage>();
     kept->header = cloud.header;
     kept->points.reserve(cloud.points.size());
-    counts_ = filter_.run(cloud.points, kept->points, tf().lookup(boxFrame(cloud), cloud.header.frame_id, cloud.header.stamp));
+    const auto T_box_sensor = tf().lookup(params().box_frame, cloud.header);
+    counts_ = filter_.run(cloud.points, kept->points, T_box_sensor);
     kept_.publish(kept);
   }
 
@@ -46,7 +44,8 @@ class FilterNodelet : public StageNodelet<FilterStageParams> {
   core::FilterCounts counts_;
   Output<CloudMessage> kept_;
 };
+using FilterStage = Unloadable<FilterNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::FilterNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::FilterStage, nodelet::Nodelet)

@@ -15,20 +15,17 @@ class GroundNodelet : public StageNodelet<GroundStageParams> {
     obstacle_ = output<CloudMessage>("points_obstacle");
     ground_ = output<CloudMessage>("points_ground");
     plane_ = output<GroundPlane>("ground_plane");
-    input<CloudMessage>("points", [this](const auto& cloud) { onCloud(*cloud); },
-                        [this](const CloudMessage& cloud) { return tf().has(upFrame(cloud), cloud.header.frame_id, cloud.header.stamp); });
+    input<CloudMessage>(
+        "points", [this](const auto& cloud) { onCloud(*cloud); },
+        [this](const auto& cloud) { return tf().has(params().up_frame, cloud.header); });
   }
 
   void onParams() override { finder_.setParams(params().ground); }
   void onTimeJump() override { finder_.reset(); }
 
-  const std::string& upFrame(const CloudMessage& cloud) const {
-    return params().up_frame.empty() ? cloud.header.frame_id : params().up_frame;
-  }
-
   void onCloud(const CloudMessage& cloud) {
     const auto& header = cloud.header;
-    const auto T_up_sensor = tf().lookup(upFrame(cloud), header.frame_id, header.stamp);
+    const auto T_up_sensor = tf().lookup(params().up_frame, header);
     const Eigen::Vector3d up = T_up_sensor.linear().transpose() * Eigen::Vector3d::UnitZ();
     auto ground = boost::make_shared<CloudMessage>(), obstacle = boost::make_shared<CloudMessage>();
     ground->header = obstacle->header = header;
@@ -39,7 +36,9 @@ class GroundNodelet : public StageNodelet<GroundStageParams> {
   }
 
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
-    if (!last_.found()) status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, std::string("no ground: ") + describe(last_.fault));
+    if (!last_.found())
+      status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
+                          std::string("no ground: ") + describe(last_.fault));
     status.add("ground: points", last_.inliers);
     status.add("ground: points below", last_.below);
     status.add("ground: height of the sensor [m]", last_.plane.offset);
@@ -52,7 +51,8 @@ class GroundNodelet : public StageNodelet<GroundStageParams> {
   Output<CloudMessage> obstacle_, ground_;
   Output<GroundPlane> plane_;
 };
+using GroundStage = Unloadable<GroundNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::GroundNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::GroundStage, nodelet::Nodelet)

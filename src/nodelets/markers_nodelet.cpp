@@ -19,7 +19,8 @@ class MarkersNodelet : public StageNodelet<MarkersParams> {
   ObstacleMarkers drawer_;
   Output<visualization_msgs::MarkerArray> markers_;
 };
+using MarkersStage = Unloadable<MarkersNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::MarkersNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::MarkersStage, nodelet::Nodelet)

@@ -9,7 +9,6 @@ namespace field_fusion {
 
 class MatchNodelet : public StageNodelet<core::MatchParams> {
   void onStart() override {
-    tf();  // listens from now on
     onParams();
     sync_ = std::make_unique<PairSync>(params().sync);
     obstacles_ = output<ObstacleArray>("obstacles");
@@ -17,12 +16,12 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     clusters_->deferred = true;  // their work ends when they go out, with or without a partner
     detections_ = &input<ImageDetectionArray>(
         "detections", [this](const auto& detections) { add(detections); },
-        [this](auto& d) { return frame_.empty() || tf().has(frame_, d.header.frame_id, d.header.stamp); });
+        [this](const auto& detections) { return tf().has(frame_, detections.header); });
     poll_ = every(0.01, [this] { release(); });
   }
+
   void onParams() override { matcher_.setParams(params()); }
   void onTimeJump() override { sync_->reset(); }
-
   template <class Pointer>
   void add(const Pointer& message) {
     check(*message);
@@ -49,12 +48,13 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
 
   core::Matcher matcher_;
   std::unique_ptr<PairSync> sync_;
-  std::string frame_;  // of the last clusters
+  std::string frame_;  // of the last clusters; empty: none yet
   Output<ObstacleArray> obstacles_;
   InputPort *clusters_ = nullptr, *detections_ = nullptr;
   ros::WallTimer poll_;
 };
+using MatchStage = Unloadable<MatchNodelet>;
 
 }  // namespace field_fusion
 
-PLUGINLIB_EXPORT_CLASS(field_fusion::MatchNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(field_fusion::MatchStage, nodelet::Nodelet)

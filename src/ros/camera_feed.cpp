@@ -1,12 +1,13 @@
 #include "field_fusion/ros/camera_feed.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace field_fusion {
 namespace {
 
-std::string sizeText(std::uint32_t width, std::uint32_t height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string sizeText(std::uint32_t width, std::uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
 
 }  // namespace
 
@@ -15,16 +16,21 @@ void CameraFeed::add(const sensor_msgs::CameraInfo& info) {
   if (model_->stamp() == image_stamp_) stamped_alike_ = true;
 }
 
-bool CameraFeed::ready(const ros::Time& stamp) const { return model_ && (model_->stamp() >= stamp || !stamped_alike_); }
+bool CameraFeed::ready(const ros::Time& stamp) const {
+  return model_ && (model_->stamp() >= stamp || !stamped_alike_);
+}
 
-std::shared_ptr<const CameraModel> CameraFeed::modelFor(const sensor_msgs::Image& image) {
+std::shared_ptr<const CameraModel> CameraFeed::modelFor(const sensor_msgs::Image& image, std::string& why) {
   image_stamp_ = image.header.stamp;
-  stamped_alike_ = model_ && model_->stamp() >= image_stamp_;  // it has waited, and in vain when this is false
-  if (!model_) throw std::runtime_error("camera info missing");
-  if (image.width != model_->width() || image.height != model_->height())
-    throw std::runtime_error("camera info is of another size: " + sizeText(model_->width(), model_->height()) +
-                             " but the image has " + sizeText(image.width, image.height));
-  return model_;
+  stamped_alike_ =
+      model_ && model_->stamp() >= image_stamp_;  // it has waited, and in vain when this is false
+  if (!model_) {
+    why = "camera info missing";
+  } else if (image.width != model_->width() || image.height != model_->height()) {
+    why = "camera info is of another size: " + sizeText(model_->width(), model_->height()) +
+          " but the image has " + sizeText(image.width, image.height);
+  }
+  return why.empty() ? model_ : nullptr;
 }
 
 }  // namespace field_fusion

@@ -8,7 +8,8 @@
 namespace field_fusion {
 namespace {
 
-template <class Numbers> bool finite(const Numbers& numbers) {
+template <class Numbers>
+bool finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
@@ -16,12 +17,13 @@ const sensor_msgs::CameraInfo& checked(const sensor_msgs::CameraInfo& info) {
   if (!finite(info.K) || !finite(info.D) || !finite(info.P) || !finite(info.R))
     throw std::runtime_error("camera info is not finite: K, D, R or P");
   if (!(info.K[0] > 0.0 && info.K[4] > 0.0))
-    throw std::runtime_error("camera info is not calibrated: K has focal lengths " + std::to_string(info.K[0]) + " and " +
-                             std::to_string(info.K[4]));
+    throw std::runtime_error("camera info is not calibrated: K has focal lengths " +
+                             std::to_string(info.K[0]) + " and " + std::to_string(info.K[4]));
   if (!(info.P[0] > 0.0 && info.P[5] > 0.0))
-    throw std::runtime_error("camera info is not calibrated: P has focal lengths " + std::to_string(info.P[0]) + " and " +
-                             std::to_string(info.P[5]));
-  if (info.width == 0 || info.height == 0) throw std::runtime_error("camera info has no size: width or height is 0");
+    throw std::runtime_error("camera info is not calibrated: P has focal lengths " +
+                             std::to_string(info.P[0]) + " and " + std::to_string(info.P[5]));
+  if (info.width == 0 || info.height == 0)
+    throw std::runtime_error("camera info has no size: width or height is 0");
   return info;
 }
 

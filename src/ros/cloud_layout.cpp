@@ -13,15 +13,25 @@ using sensor_msgs::PointField;
 /// Bytes of a PointField datatype, 0 for an unknown one.
 std::uint32_t sizeOf(std::uint8_t datatype) {
   switch (datatype) {
-    case PointField::INT8: case PointField::UINT8: return 1;
-    case PointField::INT16: case PointField::UINT16: return 2;
-    case PointField::INT32: case PointField::UINT32: case PointField::FLOAT32: return 4;
-    case PointField::FLOAT64: return 8;
-    default: return 0;
+    case PointField::INT8:
+    case PointField::UINT8:
+      return 1;
+    case PointField::INT16:
+    case PointField::UINT16:
+      return 2;
+    case PointField::INT32:
+    case PointField::UINT32:
+    case PointField::FLOAT32:
+      return 4;
+    case PointField::FLOAT64:
+      return 8;
+    default:
+      return 0;
   }
 }
 
-template <class T> double as(const std::uint8_t* bytes) {
+template <class T>
+double as(const std::uint8_t* bytes) {
   T value;
   std::memcpy(&value, bytes, sizeof(T));
   return static_cast<double>(value);
@@ -30,7 +40,8 @@ template <class T> double as(const std::uint8_t* bytes) {
 /// One field of a point, read as double whatever its type and byte order.
 class FieldReader {
  public:
-  FieldReader(const PointField& field, bool swap) : offset_(field.offset), type_(field.datatype), swap_(swap) {}
+  FieldReader(const PointField& field, bool swap)
+      : offset_(field.offset), type_(field.datatype), swap_(swap) {}
 
   double operator()(const std::uint8_t* point) const {
     std::uint8_t bytes[8] = {};
@@ -38,14 +49,22 @@ class FieldReader {
     std::memcpy(bytes, point + offset_, size);
     if (swap_) std::reverse(bytes, bytes + size);
     switch (type_) {
-      case PointField::INT8: return as<std::int8_t>(bytes);
-      case PointField::UINT8: return as<std::uint8_t>(bytes);
-      case PointField::INT16: return as<std::int16_t>(bytes);
-      case PointField::UINT16: return as<std::uint16_t>(bytes);
-      case PointField::INT32: return as<std::int32_t>(bytes);
-      case PointField::UINT32: return as<std::uint32_t>(bytes);
-      case PointField::FLOAT32: return as<float>(bytes);
-      default: return as<double>(bytes);
+      case PointField::INT8:
+        return as<std::int8_t>(bytes);
+      case PointField::UINT8:
+        return as<std::uint8_t>(bytes);
+      case PointField::INT16:
+        return as<std::int16_t>(bytes);
+      case PointField::UINT16:
+        return as<std::uint16_t>(bytes);
+      case PointField::INT32:
+        return as<std::int32_t>(bytes);
+      case PointField::UINT32:
+        return as<std::uint32_t>(bytes);
+      case PointField::FLOAT32:
+        return as<float>(bytes);
+      default:
+        return as<double>(bytes);
     }
   }
   bool isFloat() const { return type_ == PointField::FLOAT32 || type_ == PointField::FLOAT64; }
@@ -67,10 +86,12 @@ std::optional<FieldReader> optionalReader(const CloudShape& shape, std::initiali
   const auto* field = find(shape, names);
   if (!field) return std::nullopt;
   if (sizeOf(field->datatype) == 0)
-    throw std::runtime_error("cloud field of unknown type: '" + field->name + "' has datatype " + std::to_string(field->datatype));
+    throw std::runtime_error("cloud field of unknown type: '" + field->name + "' has datatype " +
+                             std::to_string(field->datatype));
   if (std::uint64_t{field->offset} + sizeOf(field->datatype) > shape.point_step)
     throw std::runtime_error("cloud field outside its point: '" + field->name + "' at offset " +
-                             std::to_string(field->offset) + " of point_step " + std::to_string(shape.point_step));
+                             std::to_string(field->offset) + " of point_step " +
+                             std::to_string(shape.point_step));
   return FieldReader(*field, shape.is_bigendian);
 }
 
@@ -88,24 +109,27 @@ void checkSizes(const CloudShape& shape, std::uint64_t size) {
   const std::uint64_t row_step = row_unset ? row : shape.row_step;
   const auto number = [](std::uint64_t n) { return std::to_string(n); };
   if (row == 0 && shape.width > 0 && shape.height > 0)
-    throw std::runtime_error("cloud sizes disagree: " + number(shape.width) + " x " + number(shape.height) + " points of 0 bytes");
+    throw std::runtime_error("cloud sizes disagree: " + number(shape.width) + " x " + number(shape.height) +
+                             " points of 0 bytes");
   if (row_step < row)
-    throw std::runtime_error("cloud sizes disagree: row_step " + number(row_step) + " is shorter than " + number(shape.width) +
-                             " points of " + number(shape.point_step) + " bytes");
+    throw std::runtime_error("cloud sizes disagree: row_step " + number(row_step) + " is shorter than " +
+                             number(shape.width) + " points of " + number(shape.point_step) + " bytes");
   // row_step >= row, so the product overflows only where it exceeds any real size by far
   const bool overflow = shape.height != 0 && row_step > UINT64_MAX / shape.height;
   if (overflow || row_step * shape.height != size)
-    throw std::runtime_error("cloud sizes disagree: height " + number(shape.height) + " x row_step " + number(row_step) +
-                             " but " + number(size) + " bytes of data");
+    throw std::runtime_error("cloud sizes disagree: height " + number(shape.height) + " x row_step " +
+                             number(row_step) + " but " + number(size) + " bytes of data");
 }
 
 /// Our own layout needs no reading field by field.
 bool isOwnLayout(const CloudShape& shape) {
   const auto& own = pointFields();
-  return !shape.is_bigendian && shape.point_step == sizeof(core::Point) && shape.fields.size() == own.size() &&
-         std::equal(own.begin(), own.end(), shape.fields.begin(), [](const PointField& a, const PointField& b) {
-           return a.name == b.name && a.offset == b.offset && a.datatype == b.datatype && b.count == 1;
-         });
+  return !shape.is_bigendian && shape.point_step == sizeof(core::Point) &&
+         shape.fields.size() == own.size() &&
+         std::equal(
+             own.begin(), own.end(), shape.fields.begin(), [](const PointField& a, const PointField& b) {
+               return a.name == b.name && a.offset == b.offset && a.datatype == b.datatype && b.count == 1;
+             });
 }
 
 /// Seconds after the cloud's stamp.
@@ -116,11 +140,13 @@ float relativeTime(double value, bool is_float, double stamp) {
 }
 
 core::Cloud readAnyLayout(const CloudShape& shape, const std::uint8_t* data) {
-  const auto x = coordinateReader(shape, "x"), y = coordinateReader(shape, "y"), z = coordinateReader(shape, "z");
+  const auto x = coordinateReader(shape, "x"), y = coordinateReader(shape, "y"),
+             z = coordinateReader(shape, "z");
   const auto intensity = optionalReader(shape, {"intensity", "i"});
   const auto ring = optionalReader(shape, {"ring"});
   const auto time = optionalReader(shape, {"time", "t", "timestamp", "time_offset", "offset_time"});
-  const std::uint64_t row_step = shape.row_step ? shape.row_step : std::uint64_t{shape.width} * shape.point_step;
+  const std::uint64_t row_step =
+      shape.row_step ? shape.row_step : std::uint64_t{shape.width} * shape.point_step;
   core::Cloud cloud(std::size_t{shape.width} * shape.height);
   auto* out = cloud.data();
   for (std::uint32_t row = 0; row < shape.height; ++row) {
@@ -163,7 +189,8 @@ const std::vector<PointField>& pointFields() {
 core::Cloud readPoints(const CloudShape& shape, const std::uint8_t* data, std::uint64_t size) {
   checkSizes(shape, size);
   if (size == 0) return {};
-  if (!isOwnLayout(shape) || shape.row_step > std::uint64_t{shape.width} * shape.point_step) return readAnyLayout(shape, data);
+  if (!isOwnLayout(shape) || shape.row_step > std::uint64_t{shape.width} * shape.point_step)
+    return readAnyLayout(shape, data);
   core::Cloud cloud(size / sizeof(core::Point));
   std::memcpy(cloud.data(), data, size);
   return cloud;

@@ -1,8 +1,8 @@
 #include "field_fusion/ros/detection.h"
 
-#include <boost/make_shared.hpp>
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
+#include <boost/make_shared.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace {
 
 namespace encoding = sensor_msgs::image_encodings;
 
-void setBearingAndRange(ImageDetection& out, const core::Detection& detection, double input_scale, const CameraModel& camera,
-                        const core::RangeParams& params) {
+void setBearingAndRange(ImageDetection& out, const core::Detection& detection, double input_scale,
+                        const CameraModel& camera, const core::RangeParams& params) {
   const auto pinhole = camera.pinhole();
   const auto box = camera.rectified(detection.box);
   const auto middle = box.centre();
@@ -45,8 +45,10 @@ std::string labelText(const ImageDetection& d) {
   return text;
 }
 
-/// Where a label of this size goes: above its box, then ever higher until it covers no other; inside the image.
-cv::Rect labelPlace(const ImageDetection& d, cv::Size label, cv::Size image, const std::vector<cv::Rect>& taken) {
+/// Where a label of this size goes: above its box, then ever higher until it covers no other; inside the
+/// image.
+cv::Rect labelPlace(const ImageDetection& d, cv::Size label, cv::Size image,
+                    const std::vector<cv::Rect>& taken) {
   const int left = std::max(0, std::min(static_cast<int>(d.x_min), image.width - label.width));
   cv::Rect place({left, std::max(0, static_cast<int>(d.y_min) - label.height)}, label);
   const auto covers = [&](const cv::Rect& other) { return (place & other).area() > 0; };
@@ -55,15 +57,16 @@ cv::Rect labelPlace(const ImageDetection& d, cv::Size label, cv::Size image, con
 }
 
 void drawLabel(cv::Mat& image, const ImageDetection& d, std::vector<cv::Rect>& taken) {
-  const double scale = std::max(0.4, image.cols / 1600.0);  // legible when the image fills a third of a screen
+  const double scale =
+      std::max(0.4, image.cols / 1600.0);  // legible when the image fills a third of a screen
   const auto text = labelText(d);
   int baseline = 0;
   const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &baseline);
   const auto place = labelPlace(d, {size.width, size.height + baseline}, image.size(), taken);
   taken.push_back(place);
   cv::rectangle(image, place, {40, 25, 0}, cv::FILLED);
-  cv::putText(image, text, {place.x, place.y + size.height + baseline / 2}, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255}, 1,
-              cv::LINE_AA);
+  cv::putText(image, text, {place.x, place.y + size.height + baseline / 2}, cv::FONT_HERSHEY_SIMPLEX, scale,
+              {255, 255, 255}, 1, cv::LINE_AA);
 }
 
 void draw(cv::Mat& image, const ImageDetectionArray& detections) {
@@ -83,14 +86,16 @@ ImageView viewOf(const sensor_msgs::Image::ConstPtr& image) try {
   if (shared->image.empty()) throw std::runtime_error("0 x 0 pixels");
   return {shared->image, e == encoding::RGB8 ? core::PixelOrder::kRgb : core::PixelOrder::kBgr};
 } catch (const std::exception& e) {
-  throw std::runtime_error("image cannot be read: encoding '" + image->encoding + "', " + std::to_string(image->width) + "x" +
-                           std::to_string(image->height) + ", step " + std::to_string(image->step) + ", " +
-                           std::to_string(image->data.size()) + " bytes: " + e.what());
+  throw std::runtime_error("image cannot be read: encoding '" + image->encoding + "', " +
+                           std::to_string(image->width) + "x" + std::to_string(image->height) + ", step " +
+                           std::to_string(image->step) + ", " + std::to_string(image->data.size()) +
+                           " bytes: " + e.what());
 }
 
 boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& header, cv::Size image,
                                                         const core::Detections& detections,
-                                                        const std::vector<std::string>& class_names, const CameraModel* camera,
+                                                        const std::vector<std::string>& class_names,
+                                                        const CameraModel* camera,
                                                         const core::RangeParams& params) {
   auto out = boost::make_shared<ImageDetectionArray>();
   out->header = header;
@@ -113,7 +118,8 @@ boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& 
   return out;
 }
 
-boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image, const ImageDetectionArray& detections) {
+boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image,
+                                                const ImageDetectionArray& detections) {
   cv::Mat canvas;
   if (image.pixels.channels() == 1)
     cv::cvtColor(image.pixels, canvas, cv::COLOR_GRAY2BGR);

@@ -63,22 +63,31 @@ std::optional<Value> converted(const Rpc& value, const Value& like) {
   if (std::holds_alternative<bool>(like) && type == Rpc::TypeBoolean) return Value(static_cast<bool>(copy));
   if (std::holds_alternative<int>(like) && type == Rpc::TypeInt) return Value(static_cast<int>(copy));
   if (std::holds_alternative<double>(like) && number(copy)) return Value(*number(copy));
-  if (std::holds_alternative<std::string>(like) && type == Rpc::TypeString) return Value(static_cast<std::string>(copy));
+  if (std::holds_alternative<std::string>(like) && type == Rpc::TypeString)
+    return Value(static_cast<std::string>(copy));
   if (std::holds_alternative<std::vector<double>>(like) && type == Rpc::TypeArray) return listOfNumbers(copy);
-  if (std::holds_alternative<std::vector<std::string>>(like) && type == Rpc::TypeArray) return listOfTexts(copy);
+  if (std::holds_alternative<std::vector<std::string>>(like) && type == Rpc::TypeArray)
+    return listOfTexts(copy);
   if (std::holds_alternative<core::Table>(like) && type == Rpc::TypeStruct) return table(copy);
   return std::nullopt;
 }
 
 std::string typeName(const Rpc& value) {
   switch (value.getType()) {
-    case Rpc::TypeBoolean: return "bool";
-    case Rpc::TypeInt: return "int";
-    case Rpc::TypeDouble: return "double";
-    case Rpc::TypeString: return "string";
-    case Rpc::TypeArray: return "list";
-    case Rpc::TypeStruct: return "table";
-    default: return "value of unknown type";
+    case Rpc::TypeBoolean:
+      return "bool";
+    case Rpc::TypeInt:
+      return "int";
+    case Rpc::TypeDouble:
+      return "double";
+    case Rpc::TypeString:
+      return "string";
+    case Rpc::TypeArray:
+      return "list";
+    case Rpc::TypeStruct:
+      return "table";
+    default:
+      return "value of unknown type";
   }
 }
 

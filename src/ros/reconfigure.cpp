@@ -12,7 +12,8 @@ using dynamic_reconfigure::Config;
 
 bool isLive(const Param& param) { return param.when == core::When::kLive; }
 
-template <class Entries, class T> void append(Entries& entries, const std::string& name, const T& value) {
+template <class Entries, class T>
+void append(Entries& entries, const std::string& name, const T& value) {
   entries.emplace_back();
   entries.back().name = name;
   entries.back().value = value;
@@ -25,7 +26,8 @@ void put(Config& config, const std::string& name, const Value& value) {
   if (const auto* s = std::get_if<std::string>(&value)) append(config.strs, name, *s);
 }
 
-template <class Pick> Config configOf(const core::Params& params, Pick pick) {
+template <class Pick>
+Config configOf(const core::Params& params, Pick pick) {
   Config config;
   for (const auto& param : params.list())
     if (isLive(param)) put(config, param.name, pick(param));
@@ -53,8 +55,10 @@ std::string editMethod(const Param& param) {
   if (!param.isEnum()) return "";
   std::string entries;
   for (const auto& choice : param.choices)
-    entries += std::string(entries.empty() ? "" : ", ") + "{'name': '" + choice + "', 'type': 'str', 'value': '" + choice +
-               "', 'description': '', 'srcline': 0, 'srcfile': '', 'cconsttype': 'const char * const', 'ctype': 'std::string'}";
+    entries += std::string(entries.empty() ? "" : ", ") + "{'name': '" + choice +
+               "', 'type': 'str', 'value': '" + choice +
+               "', 'description': '', 'srcline': 0, 'srcfile': '', 'cconsttype': 'const char * const', "
+               "'ctype': 'std::string'}";
   return "{'enum_description': '" + param.name + "', 'enum': [" + entries + "]}";
 }
 
@@ -97,7 +101,8 @@ std::string faultOfEntry(const core::Params& params, const std::string& name, co
 
 }  // namespace
 
-Reconfigure::Reconfigure(const ros::NodeHandle& nh, const core::Params& params, std::mutex& mutex, std::function<void()> changed)
+Reconfigure::Reconfigure(const ros::NodeHandle& nh, const core::Params& params, std::mutex& mutex,
+                         std::function<void()> changed)
     : nh_(nh), params_(params), mutex_(mutex), changed_(std::move(changed)) {
   description_ = nh_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, true);
   updates_ = nh_.advertise<Config>("parameter_updates", 1, true);
@@ -106,12 +111,14 @@ Reconfigure::Reconfigure(const ros::NodeHandle& nh, const core::Params& params, 
   service_ = nh_.advertiseService("set_parameters", &Reconfigure::onSet, this);
 }
 
-bool Reconfigure::onSet(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response) {
+bool Reconfigure::onSet(dynamic_reconfigure::Reconfigure::Request& request,
+                        dynamic_reconfigure::Reconfigure::Response& response) {
   std::vector<std::string> faults;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     faults = apply(request.config);
-  }  // only this service changes values, and its calls come one by one: reading on is safe, and the stage goes on
+  }  // only this service changes values, and its calls come one by one: reading on is safe, and the stage
+     // goes on
   for (const auto& fault : faults) ROS_ERROR_STREAM(nh_.getNamespace() << ": change refused: " << fault);
   if (faults.empty()) storeParams(nh_, params_);
   response.config = current(params_);

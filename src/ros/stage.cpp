@@ -9,14 +9,20 @@
 namespace field_fusion {
 namespace {
 
-constexpr double kHoldPoll = 0.005;          // [s] of wall time
+constexpr double kHoldPoll = 0.005;  // [s] of wall time
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
 }  // namespace
 
-Stage::~Stage() {
-  hold_timer_.stop();
-  diagnostics_timer_.stop();
+void Stage::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopped_ = true;
+  }
+  // not under the mutex: each of these waits for its callback, which may be waiting for the mutex
+  for (auto& timer : timers_) timer.stop();
+  reconfigure_.reset();
+  for (auto& port : outputs_) port.publisher.shutdown();
   for (auto& port : inputs_) port.subscription.reset();
 }
 
@@ -33,12 +39,15 @@ void Stage::start() {
   stage_params_.declare(declared_);
   loadParams(getPrivateNodeHandle(), declared_);
   onStart();
-  reconfigure_ = std::make_unique<Reconfigure>(getPrivateNodeHandle(), declared_, mutex_, [this] { onParams(); });
-  updater_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
+  reconfigure_ =
+      std::make_unique<Reconfigure>(getPrivateNodeHandle(), declared_, mutex_, [this] { onParams(); });
+  updater_ =
+      std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");
   updater_->add("stage", this, &Stage::diagnose);
   // the updater's own clock stands still when the time of a bag jumps back
-  diagnostics_timer_ = getNodeHandle().createWallTimer(kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+  timers_.push_back(getNodeHandle().createWallTimer(
+      kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { updater_->force_update(); }));
   hold_timer_ = every(kHoldPoll, [this] { release(); });
   hold_timer_.stop();
   updateSubscriptions();
@@ -50,13 +59,15 @@ InputPort& Stage::addInput(const std::string& topic) {
   return port;
 }
 
-InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler, Ready<sensor_msgs::Image> ready) {
+InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler,
+                             Ready<sensor_msgs::Image> ready) {
   auto& port = addInput(topic);
   auto receive = receiver<sensor_msgs::Image>(port, std::move(handler), std::move(ready));
   port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
     image_transport::ImageTransport transport(getNodeHandle());
     const image_transport::TransportHints hints("raw", ros::TransportHints(), getPrivateNodeHandle());
-    return std::make_shared<image_transport::Subscriber>(transport.subscribe(topic, kQueue, receive, ros::VoidPtr(), hints));
+    return std::make_shared<image_transport::Subscriber>(
+        transport.subscribe(topic, kQueue, receive, ros::VoidPtr(), hints));
   };
   return port;
 }
@@ -64,13 +75,14 @@ InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Imag
 ros::WallTimer Stage::every(double seconds, std::function<void()> work) {
   const auto turn = [this, work](const ros::WallTimerEvent&) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    try {
-      work();
-    } catch (const std::exception& e) {
-      NODELET_ERROR_STREAM_THROTTLE(5.0, "periodic work failed: " << e.what());
-    }
+    if (!stopped_) try {
+        work();
+      } catch (const std::exception& e) {
+        NODELET_ERROR_STREAM_THROTTLE(5.0, "periodic work failed: " << e.what());
+      }
   };
-  return getNodeHandle().createWallTimer(ros::WallDuration(seconds), turn);
+  timers_.push_back(getNodeHandle().createWallTimer(ros::WallDuration(seconds), turn));
+  return timers_.back();
 }
 
 TfCache& Stage::tf() {
@@ -86,6 +98,7 @@ void Stage::onSubscribersChanged() try {
 }
 
 void Stage::updateSubscriptions() {
+  if (stopped_) return;
   bool wanted = listen_ == Listen::kAlways || outputs_.empty();
   for (const auto& port : outputs_) wanted |= port.publisher.getNumSubscribers() > 0;
   if (wanted == subscribed_) return;
@@ -111,7 +124,8 @@ void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damag
     return release();  // what waits on another input may have waited for this
   }
   if (held_.size() == kMaxHeld) {
-    fault(*held_.front().port, held_.front().arrival.message.stamp, "too many messages wait: the oldest is dropped");
+    fault(*held_.front().port, held_.front().arrival.message.stamp,
+          "too many messages wait: the oldest is dropped");
     held_.pop_front();
   }
   held_.push_back({&port, std::move(arrival)});
@@ -142,9 +156,14 @@ bool Stage::inOrder(InputPort& port, const ros::Time& stamp) {
     return false;
   }
   switch (port.order.check(static_cast<std::int64_t>(stamp.toNSec()))) {
-    case core::StampOrder::Verdict::kNewer: return true;
-    case core::StampOrder::Verdict::kTimeJump: jump(port, stamp); return true;
-    case core::StampOrder::Verdict::kOutOfOrder: fault(port, stamp, "stamp out of order: not newer than the last"); return false;
+    case core::StampOrder::Verdict::kNewer:
+      return true;
+    case core::StampOrder::Verdict::kTimeJump:
+      jump(port, stamp);
+      return true;
+    case core::StampOrder::Verdict::kOutOfOrder:
+      fault(port, stamp, "stamp out of order: not newer than the last");
+      return false;
   }
   return false;
 }

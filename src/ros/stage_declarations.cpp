@@ -7,7 +7,8 @@
 namespace field_fusion {
 namespace {
 
-template <class P> StageDeclaration declaration(const char* name) {
+template <class P>
+StageDeclaration declaration(const char* name) {
   return {name, [](const std::function<void(const core::Params&)>& use) {
             P own;
             StageParams common;
@@ -22,12 +23,9 @@ template <class P> StageDeclaration declaration(const char* name) {
 
 const std::vector<StageDeclaration>& stageDeclarations() {
   static const std::vector<StageDeclaration> all{
-      declaration<FilterStageParams>("filter"),
-      declaration<GroundStageParams>("ground"),
-      declaration<core::ClusterParams>("cluster"),
-      declaration<core::DetectParams>("detect"),
-      declaration<core::MatchParams>("match"),
-      declaration<MarkersParams>("markers"),
+      declaration<FilterStageParams>("filter"),    declaration<GroundStageParams>("ground"),
+      declaration<core::ClusterParams>("cluster"), declaration<core::DetectParams>("detect"),
+      declaration<core::MatchParams>("match"),     declaration<MarkersParams>("markers"),
   };
   return all;
 }

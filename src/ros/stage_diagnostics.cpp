@@ -28,9 +28,9 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
   status.add(key("dropped"), port.faults.total());
   for (const auto& [kind, count] : port.faults.byKind()) status.add(key("dropped, ") + kind, count);
   if (port.latency.count() > 0) {
-    status.addf(key("latency p50 p95 p99 max [ms]"), "%.3f %.3f %.3f %.3f", milliseconds(port.latency.percentile(0.50)),
-                milliseconds(port.latency.percentile(0.95)), milliseconds(port.latency.percentile(0.99)),
-                milliseconds(port.latency.max()));
+    status.addf(key("latency p50 p95 p99 max [ms]"), "%.3f %.3f %.3f %.3f",
+                milliseconds(port.latency.percentile(0.50)), milliseconds(port.latency.percentile(0.95)),
+                milliseconds(port.latency.percentile(0.99)), milliseconds(port.latency.max()));
   }
   status.add(key("last message"), traceText(port.last));
 }
@@ -42,7 +42,8 @@ std::string worry(const InputPort& port, double timeout) {
   if (port.optional || silent < timeout) return "";
   std::ostringstream out;
   out.precision(2);
-  out << (port.received == 0 ? "waiting for " : "nothing new on ") << port.topic << " for " << std::fixed << silent << " s";
+  out << (port.received == 0 ? "waiting for " : "nothing new on ") << port.topic << " for " << std::fixed
+      << silent << " s";
   return out.str();
 }
 

@@ -15,7 +15,8 @@ std::shared_ptr<TfCache> TfCache::shared() {
   return shared;
 }
 
-core::Transform TfCache::lookup(const std::string& target, const std::string& source, const ros::Time& stamp) const {
+core::Transform TfCache::lookup(const std::string& target, const std::string& source,
+                                const ros::Time& stamp) const {
   if (target == source) return core::Transform::Identity();
   try {
     const auto transform = buffer_.lookupTransform(target, source, stamp);

@@ -13,7 +13,8 @@ using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
 /// Sends `in` over the wire and reads it as Out.
-template <class Out, class In> Out overTheWire(const In& in) {
+template <class Out, class In>
+Out overTheWire(const In& in) {
   const auto bytes = ros::serialization::serializeMessage(in);
   Out out;
   ros::serialization::IStream stream(bytes.message_start, bytes.num_bytes - 4);
@@ -44,10 +45,12 @@ PointCloud2 cloudWith(const std::vector<std::pair<const char*, int>>& fields, st
 }
 
 PointCloud2 xyz(std::uint32_t points) {
-  return cloudWith({{"x", PointField::FLOAT32}, {"y", PointField::FLOAT32}, {"z", PointField::FLOAT32}}, points);
+  return cloudWith({{"x", PointField::FLOAT32}, {"y", PointField::FLOAT32}, {"z", PointField::FLOAT32}},
+                   points);
 }
 
-template <class T> void put(PointCloud2& cloud, std::size_t point, std::size_t field, T value) {
+template <class T>
+void put(PointCloud2& cloud, std::size_t point, std::size_t field, T value) {
   std::memcpy(&cloud.data[point * cloud.point_step + cloud.fields[field].offset], &value, sizeof value);
 }
 
@@ -55,7 +58,8 @@ TEST(CloudMessage, RoundTripKeepsEveryBitAndTheStampToTheNanosecond) {
   CloudMessage in;
   in.header.frame_id = "lidar";
   in.header.stamp = ros::Time(1'600'000'000, 123'456'789);
-  in.points = {{1.f, 2.f, 3.f, 4.f, -0.05f, 7}, {core::kNaN, INFINITY, -1.f, core::kNaN, core::kNaN, core::kUnknownRing}};
+  in.points = {{1.f, 2.f, 3.f, 4.f, -0.05f, 7},
+               {core::kNaN, INFINITY, -1.f, core::kNaN, core::kNaN, core::kUnknownRing}};
   const auto out = overTheWire<CloudMessage>(in);
   EXPECT_EQ(out.fault, "");
   EXPECT_EQ(out.header.stamp, in.header.stamp);
@@ -91,7 +95,8 @@ TEST(CloudMessage, WhatTheDriverDoesNotSendIsUnknown) {
 
 TEST(CloudMessage, SecondLayoutIsReadByItsOwnFields) {
   // a reader that remembers the first message's layout would swap x and z here
-  auto turned = cloudWith({{"z", PointField::FLOAT64}, {"y", PointField::FLOAT32}, {"x", PointField::FLOAT32}}, 1);
+  auto turned =
+      cloudWith({{"z", PointField::FLOAT64}, {"y", PointField::FLOAT32}, {"x", PointField::FLOAT32}}, 1);
   put(turned, 0, 0, 3.0);
   put(turned, 0, 2, 1.f);
   overTheWire<CloudMessage>(xyz(1));
@@ -147,7 +152,8 @@ TEST(CloudMessage, DisagreementIsNamedAndLeavesNoPoint) {
     return out.fault.substr(0, out.fault.find(':'));
   };
   EXPECT_EQ(faultOf([](PointCloud2& c) { c.width = c.height = 0xffffffff; }), "cloud sizes disagree");
-  EXPECT_EQ(faultOf([](PointCloud2& c) { c.width = c.height = c.row_step = c.point_step = 0xffffffff; }), "cloud sizes disagree");
+  EXPECT_EQ(faultOf([](PointCloud2& c) { c.width = c.height = c.row_step = c.point_step = 0xffffffff; }),
+            "cloud sizes disagree");
   EXPECT_EQ(faultOf([](PointCloud2& c) { c.data.pop_back(); }), "cloud sizes disagree");
   EXPECT_EQ(faultOf([](PointCloud2& c) {
               c = PointCloud2();
@@ -157,8 +163,10 @@ TEST(CloudMessage, DisagreementIsNamedAndLeavesNoPoint) {
   EXPECT_EQ(faultOf([](PointCloud2& c) { c.row_step = 1; }), "cloud sizes disagree");
   EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields.pop_back(); }), "cloud field missing");
   EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields[0].datatype = 77; }), "cloud field of unknown type");
-  EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields[2].offset = 0xfffffffe; }), "cloud field outside its point");
-  EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields[0].datatype = PointField::INT32; }), "cloud field is not a float");
+  EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields[2].offset = 0xfffffffe; }),
+            "cloud field outside its point");
+  EXPECT_EQ(faultOf([](PointCloud2& c) { c.fields[0].datatype = PointField::INT32; }),
+            "cloud field is not a float");
 }
 
 TEST(CloudMessage, MessageThatEndsEarlyIsAFault) {

@@ -91,11 +91,15 @@ TEST_F(ClusterStage, WithoutGroundTheCloudGoesOnAndItIsSaid) {
   EXPECT_NE(plane_.last->fault, "");
   EXPECT_TRUE(std::isnan(plane_.last->height));
   EXPECT_EQ(clusters_.last->clusters.size(), 1u);
-  EXPECT_TRUE(spinUntil([&] { return diagnostics_.of("ground") && diagnostics_.of("ground")->message.find("no ground") != std::string::npos; }));
+  EXPECT_TRUE(spinUntil([&] {
+    return diagnostics_.of("ground") &&
+           diagnostics_.of("ground")->message.find("no ground") != std::string::npos;
+  }));
 }
 
 TEST_F(ClusterStage, EmptyOnePointAndAllNanGiveEmptyArrays) {
-  for (const auto& cloud : {core::Cloud{}, core::Cloud{{1.f, 1.f, 1.f}}, core::Cloud(500, {core::kNaN, core::kNaN, core::kNaN})}) {
+  for (const auto& cloud : {core::Cloud{}, core::Cloud{{1.f, 1.f, 1.f}},
+                            core::Cloud(500, {core::kNaN, core::kNaN, core::kNaN})}) {
     ASSERT_TRUE(answers(cloud));
     EXPECT_TRUE(clusters_.last->clusters.empty());
     EXPECT_TRUE(clusters_.last->points.empty());
@@ -114,5 +118,6 @@ TEST_F(ClusterStage, AllPointsEqualMakeOneCluster) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "cluster_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -40,7 +40,8 @@ sensor_msgs::CameraInfo infoFor(const sensor_msgs::Image& image) {
 class DetectStage : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(spinUntil([this] { return image_.connected() && info_.connected() && detections_.connected(); }));
+    ASSERT_TRUE(
+        spinUntil([this] { return image_.connected() && info_.connected() && detections_.connected(); }));
     static double start = 1000.0;
     now_ = start += 1000.0;
   }
@@ -49,7 +50,9 @@ class DetectStage : public testing::Test {
   /// Sends images until one with bearing comes out.
   bool works() {
     const int before = detections_.count;
-    const auto good = [&] { return detections_.count > before && !std::isnan(detections_.last->detections.at(0).azimuth); };
+    const auto good = [&] {
+      return detections_.count > before && !std::isnan(detections_.last->detections.at(0).azimuth);
+    };
     return spinUntil(good, [this] {
       const auto image = redImage(next());
       info_.send(infoFor(image));
@@ -61,7 +64,8 @@ class DetectStage : public testing::Test {
   }
   /// The answer to this very image.
   bool answered(const sensor_msgs::Image& image) {
-    return spinUntil([&] { return detections_.last && detections_.last->header.stamp == image.header.stamp; });
+    return spinUntil(
+        [&] { return detections_.last && detections_.last->header.stamp == image.header.stamp; });
   }
 
   double now_ = 0.0;
@@ -84,7 +88,8 @@ TEST_F(DetectStage, BoxBearingAndRangeAreThoseComputedByHand) {
   EXPECT_NEAR(d.score, 1.f, 1e-4);
   EXPECT_NEAR(d.x_min, 8.f, 1e-3);
   EXPECT_NEAR(d.y_max, 20.f, 1e-3);
-  // the box centre (16, 16) has the camera model's coordinates (15.5, 15.5): 7.5 px right of and below the axis
+  // the box centre (16, 16) has the camera model's coordinates (15.5, 15.5): 7.5 px right of and below the
+  // axis
   EXPECT_NEAR(d.azimuth, -std::atan(7.5 / 20.0), 1e-5);
   EXPECT_NEAR(d.depth, 20.0 * 1.0 / 8.0, 1e-4);  // Eq. 3: f_y H / h_b
   EXPECT_NEAR(d.range, d.depth * std::sqrt(1.0 + 2.0 * std::pow(7.5 / 20.0, 2)), 1e-4);
@@ -161,6 +166,18 @@ TEST_F(DetectStage, LoopingBagGoesOn) {
   EXPECT_TRUE(works());
 }
 
+TEST_F(DetectStage, WithoutCameraInfoBoxesComeWithoutBearing) {
+  ASSERT_TRUE(works());
+  now_ -= 100.0;  // a jump back in time makes the stage forget its camera
+  const auto image = redImage(next());
+  image_.send(image);
+  ASSERT_TRUE(answered(image));
+  ASSERT_EQ(detections_.last->detections.size(), 1u);
+  EXPECT_TRUE(std::isnan(detections_.last->detections[0].azimuth));
+  EXPECT_EQ(detections_.last->detections[0].range_source, ImageDetection::RANGE_UNKNOWN);
+  EXPECT_TRUE(reports("camera_info", "camera info missing"));
+  EXPECT_TRUE(works());
+}
 
 TEST(AnnotatedImage, HoldsTheBoxes) {
   Received<sensor_msgs::Image> annotated("annotated_image");
@@ -183,5 +200,6 @@ TEST(AnnotatedImage, HoldsTheBoxes) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "detect_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -2,6 +2,10 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <cmath>
+#include <cstring>
 
 #include "field_fusion/ros/cloud_message.h"
 #include "support/stage_probe.h"
@@ -32,8 +36,11 @@ class FilterStage : public testing::Test {
     const int before = out_.count;
     return spinUntil([&] { return out_.count > before; }, [this] { in_.send(cloudAt(next())); });
   }
-  std::string dropped(const std::string& kind) const { return diagnostics_.value("filter", "points: dropped, " + kind); }
-  bool reports(const std::string& kind, const std::function<void()>& step = [] {}) {
+  std::string dropped(const std::string& kind) const {
+    return diagnostics_.value("filter", "points: dropped, " + kind);
+  }
+  bool reports(
+      const std::string& kind, const std::function<void()>& step = [] {}) {
     return spinUntil([&] { return !dropped(kind).empty(); }, step);
   }
 
@@ -48,7 +55,8 @@ TEST_F(FilterStage, KeepsStampFrameAndTheFieldsOfThePointsThatPass) {
   const core::Point good{1.f, 2.f, 3.f, 4.f, 0.05f, 6};
   const core::Point nan{core::kNaN, 0.f, 0.f}, far{11.f, 0.f, 0.f};
   const auto sent = cloudAt(next(), {good, nan, far});
-  ASSERT_TRUE(spinUntil([&] { return out_.last && out_.last->header.stamp == sent.header.stamp; }, [&] { in_.send(sent); }));
+  ASSERT_TRUE(spinUntil([&] { return out_.last && out_.last->header.stamp == sent.header.stamp; },
+                        [&] { in_.send(sent); }));
   EXPECT_EQ(out_.last->header.frame_id, "lidar");
   ASSERT_EQ(out_.last->points.size(), 1u);
   EXPECT_EQ(std::memcmp(&out_.last->points[0], &good, sizeof good), 0);
@@ -60,6 +68,22 @@ TEST_F(FilterStage, EmptyCloudGivesAnEmptyCloud) {
   in_.send(sent);
   ASSERT_TRUE(spinUntil([&] { return out_.last->header.stamp == sent.header.stamp; }));
   EXPECT_TRUE(out_.last->points.empty());
+}
+
+TEST_F(FilterStage, CloudWithoutRingAndTimePassesAndSaysThatTheyAreUnknown) {
+  ASSERT_TRUE(passes());
+  sensor_msgs::PointCloud2 plain;
+  sensor_msgs::PointCloud2Modifier(plain).setPointCloud2FieldsByString(1, "xyz");
+  sensor_msgs::PointCloud2Modifier(plain).resize(1);
+  *sensor_msgs::PointCloud2Iterator<float>(plain, "x") = 2.f;
+  *sensor_msgs::PointCloud2Iterator<float>(plain, "y") = 0.f;
+  *sensor_msgs::PointCloud2Iterator<float>(plain, "z") = 0.f;
+  plain.header.stamp.fromSec(next());
+  raw_.send(plain);
+  ASSERT_TRUE(spinUntil([&] { return out_.last->header.stamp == plain.header.stamp; }));
+  ASSERT_EQ(out_.last->points.size(), 1u);
+  EXPECT_EQ(out_.last->points[0].ring, core::kUnknownRing);
+  EXPECT_TRUE(std::isnan(out_.last->points[0].time));
 }
 
 TEST_F(FilterStage, DamagedCloudIsDroppedNamedAndTheNextOneTaken) {
@@ -131,14 +155,18 @@ TEST_F(FilterStage, LiveParameterIsTakenStoredAndAnImpossibleOneRefused) {
 
 TEST_F(FilterStage, LatencyAndCountersAreInDiagnostics) {
   ASSERT_TRUE(passes());
-  ASSERT_TRUE(spinUntil([&] { return !diagnostics_.value("filter", "points: latency p50 p95 p99 max [ms]").empty(); }));
-  EXPECT_GE(std::stoi(diagnostics_.value("filter", "points: received")), std::stoi(diagnostics_.value("filter", "points: processed")));
+  ASSERT_TRUE(spinUntil(
+      [&] { return !diagnostics_.value("filter", "points: latency p50 p95 p99 max [ms]").empty(); }));
+  EXPECT_GE(std::stoi(diagnostics_.value("filter", "points: received")),
+            std::stoi(diagnostics_.value("filter", "points: processed")));
 }
 
 TEST(LazyStage, SubscribesOnlyWhileSomebodyListens) {
   Sender<CloudMessage> in("points");
   Diagnostics diagnostics;
-  const auto idle = [&] { return diagnostics.of("filter") && diagnostics.of("filter")->message.find("IDLE") == 0; };
+  const auto idle = [&] {
+    return diagnostics.of("filter") && diagnostics.of("filter")->message.find("IDLE") == 0;
+  };
   ASSERT_TRUE(spinUntil(idle));
   EXPECT_FALSE(in.connected());
   Received<CloudMessage> out("points_filtered");
@@ -151,5 +179,6 @@ TEST(LazyStage, SubscribesOnlyWhileSomebodyListens) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "filter_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -72,5 +72,6 @@ TEST_F(MarkersStage, StampZeroIsDroppedAndTheNextDrawn) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "markers_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -183,5 +183,6 @@ TEST_F(MatchStage, PairsAreCountedInDiagnostics) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "match_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -18,7 +18,8 @@ std::string contentsOf(const std::string& path) {
 
 TEST(ParameterFiles, CommittedOnesAreWhatTheDeclarationsSay) {
   for (const auto& file : parameterFiles())
-    EXPECT_EQ(contentsOf(PROJECT_DIR "/" + file.path), file.text) << file.path << " is stale: run rosrun field_fusion write_params";
+    EXPECT_EQ(contentsOf(PROJECT_DIR "/" + file.path), file.text)
+        << file.path << " is stale: run rosrun field_fusion write_params";
 }
 
 TEST(ParameterFiles, YamlReadsEveryDefaultInItsDeclaredType) {
@@ -31,7 +32,8 @@ TEST(ParameterFiles, YamlReadsEveryDefaultInItsDeclaredType) {
         const auto text = yaml[param.name].as<std::string>("");
         if (const auto* d = std::get_if<double>(&value)) {
           EXPECT_EQ(yaml[param.name].as<double>(), *d) << param.name;
-          EXPECT_NE(text.find('.'), std::string::npos) << param.name << " would be read as an int or a string";
+          EXPECT_NE(text.find('.'), std::string::npos)
+              << param.name << " would be read as an int or a string";
         }
         std::string expected = text;
         if (const auto* i = std::get_if<int>(&value)) expected = std::to_string(*i);

@@ -1,5 +1,6 @@
 // Between the stages of usv.launch no message is serialised: each stage tells on /diagnostics where the last
-// message of each input and output lay in memory, and what one stage sent is the very object the next one got.
+// message of each input and output lay in memory, and what one stage sent is the very object the next one
+// got.
 #include <gtest/gtest.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
@@ -17,8 +18,8 @@ struct Link {
 
 /// Every arrow between two stages of usv.launch.
 constexpr Link kLinks[] = {
-    {"filter", "/points_filtered", "ground", "points"},    {"ground", "/points_obstacle", "cluster", "points"},
-    {"cluster", "/clusters", "match", "clusters"},         {"detect", "/detections", "match", "detections"},
+    {"filter", "/points_filtered", "ground", "points"}, {"ground", "/points_obstacle", "cluster", "points"},
+    {"cluster", "/clusters", "match", "clusters"},      {"detect", "/detections", "match", "detections"},
     {"match", "/obstacles", "markers", "obstacles"},
 };
 
@@ -31,7 +32,8 @@ struct Frame {
 
 Frame frameAt(double stamp) {
   Frame f;
-  f.cloud.header.frame_id = f.image.header.frame_id = f.info.header.frame_id = "lidar";  // no transform needed
+  f.cloud.header.frame_id = f.image.header.frame_id = f.info.header.frame_id =
+      "lidar";  // no transform needed
   f.cloud.header.stamp = f.image.header.stamp = f.info.header.stamp = ros::Time(stamp);
   for (int i = 0; i < 20; ++i) f.cloud.points.push_back({3.f, 0.f, 0.05f * i});
   f.image.encoding = "bgr8";
@@ -52,21 +54,27 @@ TEST(Pointers, EachStageGetsTheObjectThatTheOneBeforeSent) {
   Sender<sensor_msgs::Image> image("image_raw");
   Sender<sensor_msgs::CameraInfo> info("camera_info");
   Diagnostics diagnostics;
-  const auto output = [&](const Link& l) { return diagnostics.value(l.from, std::string(l.output) + ": last message"); };
-  const auto input = [&](const Link& l) { return diagnostics.value(l.to, std::string(l.input) + ": last message"); };
+  const auto output = [&](const Link& l) {
+    return diagnostics.value(l.from, std::string(l.output) + ": last message");
+  };
+  const auto input = [&](const Link& l) {
+    return diagnostics.value(l.to, std::string(l.input) + ": last message");
+  };
 
   ASSERT_TRUE(spinUntil([&] { return cloud.connected() && image.connected() && info.connected(); }));
   // frames until one has gone through every stage; then no more, so that all stages tell of the same one
   double now = 1000.0;
-  ASSERT_TRUE(spinUntil([&] { return markers.count > 3; }, [&] {
-    const auto frame = frameAt(now += 0.1);
-    info.send(frame.info);
-    image.send(frame.image);
-    cloud.send(frame.cloud);
-  }));
+  ASSERT_TRUE(spinUntil([&] { return markers.count > 3; },
+                        [&] {
+                          const auto frame = frameAt(now += 0.1);
+                          info.send(frame.info);
+                          image.send(frame.image);
+                          cloud.send(frame.cloud);
+                        }));
   for (const auto& link : kLinks) {
     const auto same = [&] { return !output(link).empty() && output(link) == input(link); };
-    EXPECT_TRUE(spinUntil(same)) << link.from << " sent " << output(link) << " but " << link.to << " got " << input(link);
+    EXPECT_TRUE(spinUntil(same)) << link.from << " sent " << output(link) << " but " << link.to << " got "
+                                 << input(link);
   }
 }
 
@@ -76,5 +84,6 @@ TEST(Pointers, EachStageGetsTheObjectThatTheOneBeforeSent) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "pointers_rostest");
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

@@ -19,7 +19,8 @@ struct Outcome {
 
 /// Runs a stage as a process of its own that is expected to end by itself; it is ended after 20 s.
 Outcome start(const std::string& stage, const std::string& name, const std::string& private_params) {
-  const auto command = "timeout 20 rosrun nodelet nodelet standalone field_fusion/" + stage + " __name:=" + name + " " + private_params + " 2>&1";
+  const auto command = "timeout 20 rosrun nodelet nodelet standalone field_fusion/" + stage +
+                       " __name:=" + name + " " + private_params + " 2>&1";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return outcome;
@@ -79,7 +80,8 @@ TEST(Refuse, ModelThatIsCutShort) {
 }
 
 TEST(Refuse, ModelOfAnotherShapeIsNamedWithItsShape) {
-  const auto outcome = start("detect", "refused_shape", "_model:=" PROJECT_DIR "/test/fixtures/transposed_head.onnx");
+  const auto outcome =
+      start("detect", "refused_shape", "_model:=" PROJECT_DIR "/test/fixtures/transposed_head.onnx");
   EXPECT_NE(outcome.status, 0);
   EXPECT_SAYS(outcome, "1x21x6");
 }
@@ -87,8 +89,8 @@ TEST(Refuse, ModelOfAnotherShapeIsNamedWithItsShape) {
 TEST(Refuse, ClassFileShorterThanTheModelsClasses) {
   const std::string path = testing::TempDir() + "refuse_classes.txt";
   ASSERT_EQ(std::system(("echo red > " + path).c_str()), 0);
-  const auto outcome =
-      start("detect", "refused_classes", "_model:=" PROJECT_DIR "/test/fixtures/stock_head.onnx _class_file:=" + path);
+  const auto outcome = start("detect", "refused_classes",
+                             "_model:=" PROJECT_DIR "/test/fixtures/stock_head.onnx _class_file:=" + path);
   EXPECT_NE(outcome.status, 0);
   EXPECT_SAYS(outcome, path);
   EXPECT_SAYS(outcome, "2");
@@ -100,6 +102,6 @@ TEST(Refuse, ClassFileShorterThanTheModelsClasses) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "refuse_rostest");
-  ros::NodeHandle nh;
+  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
   return RUN_ALL_TESTS();
 }

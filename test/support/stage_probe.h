@@ -12,7 +12,9 @@ namespace field_fusion::test {
 constexpr double kDeadline = 15.0;  // [s] of wall time
 
 /// Spins until `holds`, calling `step` every 20 ms; false when the deadline passed.
-inline bool spinUntil(const std::function<bool()>& holds, const std::function<void()>& step = [] {}, double deadline = kDeadline) {
+inline bool spinUntil(
+    const std::function<bool()>& holds, const std::function<void()>& step = [] {},
+    double deadline = kDeadline) {
   const auto end = ros::WallTime::now() + ros::WallDuration(deadline);
   while (ros::WallTime::now() < end && ros::ok()) {
     ros::spinOnce();
@@ -24,10 +26,12 @@ inline bool spinUntil(const std::function<bool()>& holds, const std::function<vo
 }
 
 /// The last message of a topic, and how many there were.
-template <class M> class Received {
+template <class M>
+class Received {
  public:
   explicit Received(const std::string& topic)
-      : subscriber_(nh_.subscribe<M>(topic, 50, [this](const boost::shared_ptr<const M>& m) { last = m, ++count; })) {}
+      : subscriber_(nh_.subscribe<M>(topic, 50,
+                                     [this](const boost::shared_ptr<const M>& m) { last = m, ++count; })) {}
   bool connected() const { return subscriber_.getNumPublishers() > 0; }
 
   boost::shared_ptr<const M> last;
@@ -39,7 +43,8 @@ template <class M> class Received {
 };
 
 /// An input of the stage under test: ready once the stage has subscribed.
-template <class M> class Sender {
+template <class M>
+class Sender {
  public:
   explicit Sender(const std::string& topic) : publisher_(nh_.advertise<M>(topic, 50)) {}
   bool connected() const { return publisher_.getNumSubscribers() > 0; }

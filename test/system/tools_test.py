@@ -142,7 +142,8 @@ def test_scene_has_every_topic_in_every_frame(tmp_path):
     messages, latched = read(tmp_path / "a.bag")
     assert latched["/tf_static"] and len(messages.pop("/tf_static")) == 1
     assert {topic: len(list_) for topic, list_ in messages.items()} == {
-        "/points": 5, "/image_raw": 5, "/camera_info": 5, "/detections": 5, "/truth/obstacles": 5}
+        "/points": 5, "/image_raw": 5, "/camera_info": 5, "/detections": 5, "/annotated_image": 5,
+        "/truth/obstacles": 5}
     assert len({tuple(m.header.stamp for m in list_) for list_ in messages.values()}) == 1
 
 

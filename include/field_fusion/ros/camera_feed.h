@@ -3,6 +3,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <memory>
+#include <string>
 
 #include "field_fusion/ros/camera_model.h"
 
@@ -18,8 +19,8 @@ class CameraFeed {
   /// Whether an image of this stamp need not wait any longer.
   bool ready(const ros::Time& stamp) const;
 
-  /// Throws std::runtime_error "camera info missing" or "camera info is of another size: ...".
-  std::shared_ptr<const CameraModel> modelFor(const sensor_msgs::Image& image);
+  /// Null, with `why` "camera info missing" or "camera info is of another size: ...", where there is none.
+  std::shared_ptr<const CameraModel> modelFor(const sensor_msgs::Image& image, std::string& why);
 
   void reset() { *this = CameraFeed(); }
 

@@ -19,7 +19,8 @@ class CameraModel {
   std::uint32_t height() const { return height_; }  ///< [px]
 
   core::Pinhole pinhole() const;
-  /// The box through the middles of the rectified edges of `box`, which is in pixels of the image as received.
+  /// The box through the middles of the rectified edges of `box`, which is in pixels of the image as
+  /// received.
   core::ImageBox rectified(const core::ImageBox& box) const;
 
  private:

@@ -29,26 +29,32 @@ inline const std::string& faultOf(const CloudMessage& message) { return message.
 namespace ros {
 namespace message_traits {
 
-template <> struct MD5Sum<field_fusion::CloudMessage> : MD5Sum<sensor_msgs::PointCloud2> {
+template <>
+struct MD5Sum<field_fusion::CloudMessage> : MD5Sum<sensor_msgs::PointCloud2> {
   static const char* value() { return MD5Sum<sensor_msgs::PointCloud2>::value(); }
   static const char* value(const field_fusion::CloudMessage&) { return value(); }
 };
-template <> struct DataType<field_fusion::CloudMessage> {
+template <>
+struct DataType<field_fusion::CloudMessage> {
   static const char* value() { return DataType<sensor_msgs::PointCloud2>::value(); }
   static const char* value(const field_fusion::CloudMessage&) { return value(); }
 };
-template <> struct Definition<field_fusion::CloudMessage> {
+template <>
+struct Definition<field_fusion::CloudMessage> {
   static const char* value() { return Definition<sensor_msgs::PointCloud2>::value(); }
   static const char* value(const field_fusion::CloudMessage&) { return value(); }
 };
-template <> struct HasHeader<field_fusion::CloudMessage> : TrueType {};
+template <>
+struct HasHeader<field_fusion::CloudMessage> : TrueType {};
 
 }  // namespace message_traits
 
 namespace serialization {
 
-template <> struct Serializer<field_fusion::CloudMessage> {
-  template <class Stream> static void write(Stream& stream, const field_fusion::CloudMessage& m) {
+template <>
+struct Serializer<field_fusion::CloudMessage> {
+  template <class Stream>
+  static void write(Stream& stream, const field_fusion::CloudMessage& m) {
     const auto width = static_cast<std::uint32_t>(m.points.size());
     const auto step = static_cast<std::uint32_t>(sizeof(field_fusion::core::Point));
     const std::uint32_t size = width * step;
@@ -64,7 +70,8 @@ template <> struct Serializer<field_fusion::CloudMessage> {
     stream.next(std::uint8_t{0});  // points may be NaN
   }
 
-  template <class Stream> static void read(Stream& stream, field_fusion::CloudMessage& m) {
+  template <class Stream>
+  static void read(Stream& stream, field_fusion::CloudMessage& m) {
     try {
       field_fusion::CloudShape shape;
       std::uint8_t flag = 0;
@@ -81,7 +88,7 @@ template <> struct Serializer<field_fusion::CloudMessage> {
       shape.stamp = m.header.stamp.toSec();
       shape.is_bigendian = flag != 0;
       m.points = field_fusion::readPoints(shape, data, size);
-      stream.next(flag);  // is_dense: not believed, every stage looks at each point
+      stream.next(flag);                 // is_dense: not believed, every stage looks at each point
     } catch (const std::exception& e) {  // also a stream that ends early; the stage counts it
       m.points.clear();
       m.fault = e.what();
@@ -99,8 +106,10 @@ template <> struct Serializer<field_fusion::CloudMessage> {
 
 namespace message_operations {
 
-template <> struct Printer<field_fusion::CloudMessage> {
-  template <class Stream> static void stream(Stream& s, const std::string& indent, const field_fusion::CloudMessage& m) {
+template <>
+struct Printer<field_fusion::CloudMessage> {
+  template <class Stream>
+  static void stream(Stream& s, const std::string& indent, const field_fusion::CloudMessage& m) {
     s << indent << m.points.size() << " points\n";
   }
 };

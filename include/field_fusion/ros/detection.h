@@ -27,10 +27,12 @@ ImageView viewOf(const sensor_msgs::Image::ConstPtr& image);
 /// Detections with bearing (paper 001 Eqs. 4-6) and range (Eq. 3); both NaN where `camera` is null.
 boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& header, cv::Size image,
                                                         const core::Detections& detections,
-                                                        const std::vector<std::string>& class_names, const CameraModel* camera,
+                                                        const std::vector<std::string>& class_names,
+                                                        const CameraModel* camera,
                                                         const core::RangeParams& params);
 
 /// A bgr8 copy of the image with each detection's box, class, score, range and azimuth.
-boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image, const ImageDetectionArray& detections);
+boost::shared_ptr<sensor_msgs::Image> annotated(const ImageView& image,
+                                                const ImageDetectionArray& detections);
 
 }  // namespace field_fusion

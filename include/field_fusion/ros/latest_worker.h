@@ -12,10 +12,12 @@
 
 namespace field_fusion {
 
-template <class Job> class LatestWorker {
+template <class Job>
+class LatestWorker {
  public:
   /// `work` runs in the worker's thread and must not throw. `niceness` 0..19 keeps it behind the LiDAR chain.
-  LatestWorker(std::function<void(Job&&)> work, int niceness) : work_(std::move(work)), thread_([this, niceness] { run(niceness); }) {}
+  LatestWorker(std::function<void(Job&&)> work, int niceness)
+      : work_(std::move(work)), thread_([this, niceness] { run(niceness); }) {}
   ~LatestWorker() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);

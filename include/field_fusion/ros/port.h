@@ -13,10 +13,12 @@
 
 namespace field_fusion {
 
-/// Bad input by kind. The text of a fault is "kind: details"; kinds are few, so that counting them is bounded.
+/// Bad input by kind. The text of a fault is "kind: details"; kinds are few, so that counting them is
+/// bounded.
 class FaultLog {
  public:
-  /// Counts the fault; true when it is time to write it to the log (each kind at most once in 5 s of wall time).
+  /// Counts the fault; true when it is time to write it to the log (each kind at most once in 5 s of wall
+  /// time).
   bool add(const std::string& text);
   std::uint64_t total() const { return total_; }
   const std::map<std::string, std::uint64_t>& byKind() const { return by_kind_; }
@@ -59,7 +61,8 @@ struct OutputPort {
 };
 
 /// Handle of a typed output. Publishing a pointer hands the object itself to nodelets of the same manager.
-template <class Message> class Output {
+template <class Message>
+class Output {
  public:
   Output() = default;
   explicit Output(OutputPort* port) : port_(port) {}

@@ -17,10 +17,12 @@ namespace field_fusion {
 class Reconfigure {
  public:
   /// `params` must outlive this. A change is made, and `changed` called, under `mutex`.
-  Reconfigure(const ros::NodeHandle& nh, const core::Params& params, std::mutex& mutex, std::function<void()> changed);
+  Reconfigure(const ros::NodeHandle& nh, const core::Params& params, std::mutex& mutex,
+              std::function<void()> changed);
 
  private:
-  bool onSet(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response);
+  bool onSet(dynamic_reconfigure::Reconfigure::Request& request,
+             dynamic_reconfigure::Reconfigure::Response& response);
   /// Faults of the request; where there are none, it is in force.
   std::vector<std::string> apply(const dynamic_reconfigure::Config& wanted);
 

@@ -9,6 +9,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "field_fusion/ros/port.h"
 #include "field_fusion/ros/reconfigure.h"
@@ -18,7 +19,8 @@
 namespace field_fusion {
 
 /// A message type that can arrive damaged overloads this with what is wrong ("kind: details").
-template <class Message> const std::string& faultOf(const Message&) {
+template <class Message>
+const std::string& faultOf(const Message&) {
   static const std::string none;
   return none;
 }
@@ -27,26 +29,28 @@ template <class Message> const std::string& faultOf(const Message&) {
 /// handlers run one at a time. What a handler throws drops that message: it is counted, logged and shown
 /// in /diagnostics, and the next message is taken.
 class Stage : public nodelet::Nodelet {
- public:
-  ~Stage() override;
-
  protected:
   /// Listening: a stage with state always subscribes, any other only while somebody takes its outputs.
   enum class Listen { kLazy, kAlways };
   explicit Stage(Listen listen) : listen_(listen) {}
 
   virtual void declare(core::Params& params) = 0;
-  virtual void onStart() = 0;    ///< declare outputs, then inputs; throw to refuse to start
-  virtual void onParams() {}     ///< live parameters have changed; throw to refuse the change
-  virtual void onTimeJump() {}   ///< forget everything that depends on time
+  virtual void onStart() = 0;   ///< declare outputs, then inputs; throw to refuse to start
+  virtual void onParams() {}    ///< live parameters have changed; throw to refuse the change
+  virtual void onTimeJump() {}  ///< forget everything that depends on time
   virtual void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper&) {}  ///< add keys
 
-  template <class M> using Handler = std::function<void(const boost::shared_ptr<const M>&)>;
-  template <class M> using Ready = std::function<bool(const M&)>;
+  template <class M>
+  using Handler = std::function<void(const boost::shared_ptr<const M>&)>;
+  template <class M>
+  using Ready = std::function<bool(const M&)>;
 
   /// An output on a topic relative to the stage's namespace.
-  template <class M> Output<M> output(const std::string& topic) {
-    const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) { onSubscribersChanged(); };
+  template <class M>
+  Output<M> output(const std::string& topic) {
+    const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
+      onSubscribersChanged();
+    };
     auto& port = outputs_.emplace_back();
     port.publisher = getNodeHandle().template advertise<M>(topic, kQueue, changed, changed);
     return Output<M>(&port);
@@ -54,7 +58,8 @@ class Stage : public nodelet::Nodelet {
 
   /// An input on a topic relative to the stage's namespace. With `ready`, a message waits until that holds,
   /// at most `hold_limit`, and is then handled all the same: the handler says what was missing.
-  template <class M> InputPort& input(const std::string& topic, Handler<M> handler, Ready<M> ready = nullptr) {
+  template <class M>
+  InputPort& input(const std::string& topic, Handler<M> handler, Ready<M> ready = nullptr) {
     auto& port = addInput(topic);
     auto receive = receiver<M>(port, std::move(handler), std::move(ready));
     port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
@@ -64,7 +69,12 @@ class Stage : public nodelet::Nodelet {
   }
 
   /// An input of images in whatever way `~image_transport` says; raw images come as the pointer itself.
-  InputPort& imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler, Ready<sensor_msgs::Image> ready);
+  InputPort& imageInput(const std::string& topic, Handler<sensor_msgs::Image> handler,
+                        Ready<sensor_msgs::Image> ready);
+
+  /// Ends all callbacks and waits for the one that runs. A manager unloads a stage while messages come in,
+  /// and the members of a derived class go before those of this one: Unloadable calls it in time.
+  void stop();
 
   /// Counts and logs a fault of an input.
   void fault(InputPort& port, const ros::Time& stamp, const std::string& text);
@@ -75,10 +85,11 @@ class Stage : public nodelet::Nodelet {
   /// Ends the work on a message of a deferred input in the stage's own turn.
   void count(InputPort& port, ros::WallTime arrival);
 
-  /// Ends, in a worker's thread, the work on a message of a deferred input: `compute` runs beside the handlers,
-  /// `publish` takes its result and runs like one of them. What either throws drops the message.
+  /// Ends, in a worker's thread, the work on a message of a deferred input: `compute` runs beside the
+  /// handlers, `publish` takes its result and runs like one of them. What either throws drops the message.
   template <class Compute, class Publish>
-  void complete(InputPort& port, const ros::Time& stamp, ros::WallTime arrival, Compute compute, Publish publish) {
+  void complete(InputPort& port, const ros::Time& stamp, ros::WallTime arrival, Compute compute,
+                Publish publish) {
     decltype(compute()) result{};
     std::exception_ptr failure;
     try {
@@ -88,7 +99,7 @@ class Stage : public nodelet::Nodelet {
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto rest = [&] { failure ? std::rethrow_exception(failure) : publish(result); };
-    if (attempt(port, stamp, rest)) count(port, arrival);
+    if (!stopped_ && attempt(port, stamp, rest)) count(port, arrival);
   }
 
   TfCache& tf();
@@ -108,9 +119,13 @@ class Stage : public nodelet::Nodelet {
   static constexpr std::size_t kMaxHeld = 32;
 
   /// What a subscription calls: the checked entry of an input.
-  template <class M> Handler<M> receiver(InputPort& port, Handler<M> handler, Ready<M> ready) {
+  template <class M>
+  Handler<M> receiver(InputPort& port, Handler<M> handler, Ready<M> ready) {
     return [this, &port, handler, ready](const boost::shared_ptr<const M>& message) {
-      Arrival arrival{ros::WallTime::now(), {message->header.stamp, message.get()}, nullptr, [handler, message] { handler(message); }};
+      Arrival arrival{
+          ros::WallTime::now(), {message->header.stamp, message.get()}, nullptr, [handler, message] {
+            handler(message);
+          }};
       if (ready) arrival.ready = [ready, message] { return ready(*message); };
       onArrival(port, std::move(arrival), faultOf(*message));
     };
@@ -133,19 +148,22 @@ class Stage : public nodelet::Nodelet {
   std::mutex mutex_;
   StageParams stage_params_;
   core::Params declared_;
-  std::deque<InputPort> inputs_;    // deques: ports never move
+  std::deque<InputPort> inputs_;  // deques: ports never move
   std::deque<OutputPort> outputs_;
   std::deque<Held> held_;
   std::shared_ptr<TfCache> tf_;
   std::unique_ptr<Reconfigure> reconfigure_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
-  ros::WallTimer hold_timer_, diagnostics_timer_;
+  std::vector<ros::WallTimer> timers_;
+  ros::WallTimer hold_timer_;
   std::uint64_t time_jumps_ = 0;
   bool subscribed_ = false;
+  bool stopped_ = false;
 };
 
 /// A stage with its parameters. A nodelet file derives from this and implements onStart and its handlers.
-template <class P> class StageNodelet : public Stage {
+template <class P>
+class StageNodelet : public Stage {
  protected:
   explicit StageNodelet(Listen listen = Listen::kLazy) : Stage(listen) {}
   const P& params() const { return params_; }
@@ -153,6 +171,13 @@ template <class P> class StageNodelet : public Stage {
  private:
   void declare(core::Params& params) final { params_.declare(params); }
   P params_;
+};
+
+/// What a nodelet file exports: the stage, with its callbacks ended before its members go.
+template <class S>
+class Unloadable final : public S {
+ public:
+  ~Unloadable() override { this->stop(); }
 };
 
 }  // namespace field_fusion

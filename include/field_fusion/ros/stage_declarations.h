@@ -18,7 +18,8 @@ struct FilterStageParams {
 
   void declare(core::Params& p) {
     filter.declare(p);
-    p.text("box_frame", box_frame, core::When::kStart, "Frame of box and body, such as base_link; empty: that of the cloud.");
+    p.text("box_frame", box_frame, core::When::kStart,
+           "Frame of box and body, such as base_link; empty: that of the cloud.");
   }
 };
 
@@ -29,7 +30,8 @@ struct GroundStageParams {
 
   void declare(core::Params& p) {
     ground.declare(p);
-    p.text("up_frame", up_frame, core::When::kStart, "Frame whose z axis is up, such as base_link; empty: that of the cloud.");
+    p.text("up_frame", up_frame, core::When::kStart,
+           "Frame whose z axis is up, such as base_link; empty: that of the cloud.");
   }
 };
 

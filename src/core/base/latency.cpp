@@ -13,7 +13,8 @@ const double kLogStep = std::log(1.05);
 
 void Latency::add(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0.0) seconds = 0.0;
-  const int bin = seconds <= kFirstEdge ? 0 : static_cast<int>(std::ceil(std::log(seconds / kFirstEdge) / kLogStep));
+  const int bin =
+      seconds <= kFirstEdge ? 0 : static_cast<int>(std::ceil(std::log(seconds / kFirstEdge) / kLogStep));
   ++bins_[std::clamp(bin, 0, kBins - 1)];
   max_ = count_ == 0 ? seconds : std::max(max_, seconds);
   ++count_;

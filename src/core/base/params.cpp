@@ -8,7 +8,8 @@
 namespace field_fusion::core {
 namespace {
 
-const char* const kTypeNames[] = {"bool", "int", "double", "string", "list of double", "list of string", "table of double"};
+const char* const kTypeNames[] = {
+    "bool", "int", "double", "string", "list of double", "list of string", "table of double"};
 
 /// Every number inside `value`, with its place ("[2]", "[car]", or "" for a plain number).
 std::vector<std::pair<std::string, double>> numbersIn(const Value& value) {
@@ -16,7 +17,8 @@ std::vector<std::pair<std::string, double>> numbersIn(const Value& value) {
   if (const auto* i = std::get_if<int>(&value)) out.emplace_back("", *i);
   if (const auto* d = std::get_if<double>(&value)) out.emplace_back("", *d);
   if (const auto* list = std::get_if<std::vector<double>>(&value))
-    for (std::size_t i = 0; i < list->size(); ++i) out.emplace_back("[" + std::to_string(i) + "]", (*list)[i]);
+    for (std::size_t i = 0; i < list->size(); ++i)
+      out.emplace_back("[" + std::to_string(i) + "]", (*list)[i]);
   if (const auto* table = std::get_if<Table>(&value))
     for (const auto& [key, number] : *table) out.emplace_back("[" + key + "]", number);
   return out;

@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "field_fusion/core/cloud/cell_grid.h"
 #include "field_fusion/core/base/checked.h"
+#include "field_fusion/core/cloud/cell_grid.h"
 
 namespace field_fusion::core {
 namespace {

@@ -52,7 +52,8 @@ TEST(Params, EveryFaultIsReportedAtOnce) {
   all.low = 2.0;
   const std::vector<std::string> expected{
       "count = 10.0 is outside [1, 9] points", "radius = .nan is outside [0.0, 100000.0] m",
-      "box[1] = 11.0 is outside [-10.0, 10.0] m", "heights[bus] = 9.0 is outside [0.1, 5.0] m", "low must be below high"};
+      "box[1] = 11.0 is outside [-10.0, 10.0] m", "heights[bus] = 9.0 is outside [0.1, 5.0] m",
+      "low must be below high"};
   EXPECT_EQ(params.faults(), expected);
 }
 
@@ -107,7 +108,8 @@ TEST(ParamsText, YamlHoldsDefaultUnitMeaningAndRange) {
 
 TEST(ParamsText, MarkdownKeepsTheColumnsOfAnEnum) {
   AllTypes all;
-  EXPECT_NE(toMarkdown(declarationOf(all)).find("| `method` | enum | `optimal` | paper \\| optimal |"), std::string::npos);
+  EXPECT_NE(toMarkdown(declarationOf(all)).find("| `method` | enum | `optimal` | paper \\| optimal |"),
+            std::string::npos);
 }
 
 }  // namespace

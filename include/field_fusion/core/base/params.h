@@ -19,8 +19,8 @@ struct Range {
 enum class When { kStart, kLive };
 
 using Table = std::map<std::string, double>;
-using Value = std::variant<bool, int, double, std::string, std::vector<double>,
-                           std::vector<std::string>, Table>;
+using Value =
+    std::variant<bool, int, double, std::string, std::vector<double>, std::vector<std::string>, Table>;
 
 /// One declared parameter, tied to the field that holds it.
 struct Param {
@@ -55,14 +55,24 @@ class Params {
   }
   /// Enum whose enumerators 0, 1, ... are spelled as `choices`.
   template <class Enum>
-  void choice(const char* name, Enum& field, std::vector<std::string> choices, When when, const char* meaning) {
-    add({name, "", meaning, when, {0.0, 0.0}, choices,
+  void choice(const char* name, Enum& field, std::vector<std::string> choices, When when,
+              const char* meaning) {
+    add({name,
+         "",
+         meaning,
+         when,
+         {0.0, 0.0},
+         choices,
          [&field, choices] { return Value(choices.at(static_cast<std::size_t>(field))); },
-         [&field, choices](const Value& v) { field = static_cast<Enum>(indexOf(choices, std::get<std::string>(v))); }});
+         [&field, choices](const Value& v) {
+           field = static_cast<Enum>(indexOf(choices, std::get<std::string>(v)));
+         }});
   }
 
   /// Cross-field rule: `broken` with the reason, e.g. "min_range must be below max_range".
-  void rule(std::function<bool()> holds, std::string reason) { rules_.push_back({std::move(holds), std::move(reason)}); }
+  void rule(std::function<bool()> holds, std::string reason) {
+    rules_.push_back({std::move(holds), std::move(reason)});
+  }
 
   const std::vector<Param>& list() const { return list_; }
   const Param* find(const std::string& name) const;
@@ -75,8 +85,15 @@ class Params {
     std::function<bool()> holds;
     std::string reason;
   };
-  template <class T> Param& bind(const char* name, T& field, const char* unit, When when, const char* meaning) {
-    return add({name, unit, meaning, when, {0.0, 0.0}, {}, [&field] { return Value(field); },
+  template <class T>
+  Param& bind(const char* name, T& field, const char* unit, When when, const char* meaning) {
+    return add({name,
+                unit,
+                meaning,
+                when,
+                {0.0, 0.0},
+                {},
+                [&field] { return Value(field); },
                 [&field](const Value& v) { field = std::get<T>(v); }});
   }
   Param& add(Param param);
@@ -87,7 +104,8 @@ class Params {
 };
 
 /// The declaration of `params`; the result refers to it and must not outlive it.
-template <class P> Params declarationOf(P& params) {
+template <class P>
+Params declarationOf(P& params) {
   Params declared;
   params.declare(declared);
   return declared;

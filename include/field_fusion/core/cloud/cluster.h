@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "field_fusion/core/base/checked.h"
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
-#include "field_fusion/core/base/checked.h"
 #include "field_fusion/core/cloud/dbscan.h"
 
 namespace field_fusion::core {
