@@ -14,7 +14,7 @@ file(GLOB rostest_sources CONFIGURE_DEPENDS test/ros/*_rostest.cpp)
 foreach(source ${rostest_sources})
   get_filename_component(target ${source} NAME_WE)
   string(REPLACE "_rostest" "" name ${target})
-  add_rostest_gtest(${target} test/ros/${name}.test ${source})
+  add_rostest_gtest(${target} test/ros/${name}.test ${source} test/support/rostest_main.cpp)
   target_link_libraries(${target} core_test_support field_fusion_ros)
 endforeach()
 

@@ -175,10 +175,3 @@ TEST(LazyStage, SubscribesOnlyWhileSomebodyListens) {
 
 }  // namespace
 }  // namespace field_fusion::test
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "filter_rostest");
-  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
-  return RUN_ALL_TESTS();
-}

@@ -68,10 +68,3 @@ TEST_F(MarkersStage, StampZeroIsDroppedAndTheNextDrawn) {
 
 }  // namespace
 }  // namespace field_fusion::test
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "markers_rostest");
-  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
-  return RUN_ALL_TESTS();
-}

@@ -80,10 +80,3 @@ TEST(Pointers, EachStageGetsTheObjectThatTheOneBeforeSent) {
 
 }  // namespace
 }  // namespace field_fusion::test
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "pointers_rostest");
-  const ros::NodeHandle keep;  // roscpp ends with the last of them, and the fixtures come and go
-  return RUN_ALL_TESTS();
-}

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/faults.h"
+
 namespace field_fusion::core {
 
 /// A model of test/fixtures, made by models/make_fixtures.py.
@@ -24,23 +26,6 @@ inline std::string detectTempFile(const std::string& name, const std::string& by
   const std::string path = testing::TempDir() + "detect_" + name;
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
-}
-
-/// What `action` throws; empty where it throws nothing.
-template <class Action>
-std::string detectFault(const Action& action) {
-  try {
-    action();
-  } catch (const std::exception& fault) {
-    return fault.what();
-  }
-  return {};
-}
-
-/// Whether `fault` contains `text`.
-inline testing::AssertionResult detectSays(const std::string& fault, const std::string& text) {
-  if (fault.find(text) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "'" << text << "' is not in: " << fault;
 }
 
 /// Protobuf fields, to write models by hand.

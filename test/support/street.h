@@ -1,12 +1,11 @@
 #pragma once
-// A street as a spinning LiDAR sees it: exact ray casting of a ground plane, boxes (houses, cars) and
-// upright cylinders (people, poles). The same description gives the same cloud.
+// A street of houses, cars, people and poles as a spinning LiDAR sees it. The same seed gives the same cloud.
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <vector>
 
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/sim/scene.h"
 
 namespace field_fusion::test {
 
@@ -20,10 +19,10 @@ struct StreetScan {
   unsigned seed = 2;
 };
 
-/// Boxes and cylinders of a street along x, the sensor at the origin.
-class Street {
+/// A street along x with the sensor's foot at the origin.
+class StreetBuilder {
  public:
-  Street(double height, unsigned seed) : floor_(-height), random_(seed) {
+  explicit StreetBuilder(unsigned seed) : random_(seed) {
     for (double x = -90.0; x < 90.0; x += 15.0)
       for (const double side : {-1.0, 1.0}) addHouse(x, side);
     for (double x = -60.0; x < 60.0; x += 7.0)
@@ -33,31 +32,24 @@ class Street {
     addBox({88.0, -15.0}, {95.0, 15.0}, 15.0);  // houses close both ends
     addBox({-95.0, -15.0}, {-88.0, 15.0}, 15.0);
   }
-
-  /// [m] to the first surface along the unit direction from the origin, and whether it is the ground.
-  std::pair<double, bool> cast(const Eigen::Vector3d& ray) const {
-    double nearest = ray.z() < 0.0 ? floor_ / ray.z() : kNever;
-    bool ground = nearest < kNever;
-    const auto meet = [&](double range) {
-      if (range < nearest) nearest = range, ground = false;
-    };
-    for (const auto& box : boxes_) meet(castBox(box, ray));
-    for (const auto& cylinder : cylinders_) meet(castCylinder(cylinder, ray));
-    return {nearest, ground};
-  }
+  const core::Scene& scene() const { return scene_; }
 
  private:
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
-  struct Cylinder {
-    Eigen::Vector2d middle;
-    double radius, top;
-  };
-
   double draw(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   void addBox(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double tall) {
-    boxes_.emplace_back(Eigen::Vector3d(low.x(), low.y(), floor_),
-                        Eigen::Vector3d(high.x(), high.y(), floor_ + tall));
+    core::Body body;
+    body.size << high - low, tall;
+    body.middle = 0.5 * (low + high);
+    scene_.push_back(body);
+  }
+
+  void addCylinder(const Eigen::Vector2d& middle, double radius, double tall) {
+    core::Body body;
+    body.shape = core::Body::Shape::kCylinder;
+    body.size << 2.0 * radius, 2.0 * radius, tall;
+    body.middle = middle;
+    scene_.push_back(body);
   }
 
   void addHouse(double x, double side) {
@@ -69,29 +61,12 @@ class Street {
   void addKerbside(double x, double side) {
     const double y = side * draw(4.0, 5.0);
     if (draw(0.0, 1.0) < 0.6) addBox({x, y - 0.9}, {x + draw(3.6, 4.8), y + 0.9}, draw(1.4, 1.9));
-    cylinders_.push_back({{x + draw(5.0, 7.0), side * draw(3.0, 7.0)}, 0.25, floor_ + draw(1.6, 1.9)});
-    cylinders_.push_back({{x + draw(0.0, 7.0), side * 6.8}, 0.08, floor_ + 6.0});
+    addCylinder({x + draw(5.0, 7.0), side * draw(3.0, 7.0)}, 0.25, draw(1.6, 1.9));
+    addCylinder({x + draw(0.0, 7.0), side * 6.8}, 0.08, 6.0);
   }
 
-  static double castBox(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& ray) {
-    const Eigen::Array3d a = box.min().array() / ray.array(), b = box.max().array() / ray.array();
-    const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
-    return enter > 0.0 && enter <= leave ? enter : kNever;
-  }
-
-  static double castCylinder(const Cylinder& c, const Eigen::Vector3d& ray) {
-    const Eigen::Vector2d d = ray.head<2>();
-    const double along = c.middle.dot(d) / d.squaredNorm();
-    const double half2 = (c.radius * c.radius - (c.middle - along * d).squaredNorm()) / d.squaredNorm();
-    if (half2 < 0.0 || along * along < half2) return kNever;
-    const double range = along - std::sqrt(half2);
-    return range > 0.0 && range * ray.z() <= c.top ? range : kNever;
-  }
-
-  double floor_;
   std::mt19937 random_;
-  std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<Cylinder> cylinders_;
+  core::Scene scene_;
 };
 
 struct StreetClouds {
@@ -100,7 +75,8 @@ struct StreetClouds {
 
 /// Column by column, rings from low to high, as a driver sends it; a turn takes 0.1 s.
 inline StreetClouds scanStreet(const StreetScan& scan = {}) {
-  const Street street(scan.height, scan.seed);
+  const StreetBuilder street(scan.seed);
+  const Eigen::Vector3d sensor(0.0, 0.0, scan.height);
   std::mt19937 random(scan.seed + 1);
   std::normal_distribution<double> noise(0.0, scan.noise);
   StreetClouds out;
@@ -109,13 +85,13 @@ inline StreetClouds scanStreet(const StreetScan& scan = {}) {
       const double turn = (column + 0.5) / scan.columns;
       const double elevation = scan.elevation * (2.0 * ring / (scan.rings - 1) - 1.0);
       const Eigen::Vector3d ray = core::cartesian({1.0, core::radians(360.0) * turn, elevation});
-      const auto [range, ground] = street.cast(ray);
-      if (!(range < scan.max_range)) continue;
-      const Eigen::Vector3f p = ((range + noise(random)) * ray).cast<float>();
+      const core::Hit hit = core::cast(street.scene(), 0.0, sensor, ray);
+      if (!(hit.range < scan.max_range)) continue;
+      const Eigen::Vector3f p = ((hit.range + noise(random)) * ray).cast<float>();
       core::Point point{
           p.x(), p.y(), p.z(), 1.f, static_cast<float>(0.1 * turn), static_cast<std::uint16_t>(ring)};
       out.all.push_back(point);
-      if (!ground) out.off_ground.push_back(point);
+      if (hit.body != core::Hit::kGround) out.off_ground.push_back(point);
     }
   return out;
 }

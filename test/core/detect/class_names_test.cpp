@@ -21,17 +21,17 @@ TEST(ClassNamesOf, ReadsThePythonDictionary) {
 }
 
 TEST(ClassNamesOf, RefusesAWrongCountWithBothCounts) {
-  EXPECT_EQ(detectFault([] { fromMetadata("{0: 'a', 1: 'b'}", 3); }),
+  EXPECT_EQ(test::faultOf([] { fromMetadata("{0: 'a', 1: 'b'}", 3); }),
             "model 'm', metadata 'names': 2 class names, but the model has 3 classes");
 }
 
 TEST(ClassNamesOf, RefusesWhatIsNoDictionary) {
-  EXPECT_TRUE(detectSays(detectFault([] { fromMetadata("", 1); }), "neither a list nor a dictionary"));
-  EXPECT_TRUE(detectSays(detectFault([] { fromMetadata("{0: 'a', 2: 'b'}", 2); }), "lacks class 1"));
-  EXPECT_NE(detectFault([] { fromMetadata("{0: 'a', 1: ", 2); }), "");
-  EXPECT_NE(detectFault([] { fromMetadata("{0: ['a'], 1: 'b'}", 2); }), "");
+  EXPECT_TRUE(test::says(test::faultOf([] { fromMetadata("", 1); }), "neither a list nor a dictionary"));
+  EXPECT_TRUE(test::says(test::faultOf([] { fromMetadata("{0: 'a', 2: 'b'}", 2); }), "lacks class 1"));
+  EXPECT_NE(test::faultOf([] { fromMetadata("{0: 'a', 1: ", 2); }), "");
+  EXPECT_NE(test::faultOf([] { fromMetadata("{0: ['a'], 1: 'b'}", 2); }), "");
   EXPECT_TRUE(
-      detectSays(detectFault([] { classNamesOf(readOnnxFile(detectFixture("unnamed_classes.onnx")), 2); }),
+      test::says(test::faultOf([] { classNamesOf(readOnnxFile(detectFixture("unnamed_classes.onnx")), 2); }),
                  "does not name its classes"));
 }
 
@@ -50,22 +50,22 @@ TEST(ReadClassNames, TakesTheDataSetFilesOfUltralytics) {
 
 TEST(ReadClassNames, RefusesAWrongCountWithBothCounts) {
   const std::string path = detectTempFile("short.txt", "person\ncar\n");
-  EXPECT_EQ(detectFault([&] { readClassNames(path, 80); }),
+  EXPECT_EQ(test::faultOf([&] { readClassNames(path, 80); }),
             "class file '" + path + "': 2 class names, but the model has 80 classes");
-  EXPECT_TRUE(detectSays(detectFault([&] { readClassNames(path, 1); }),
+  EXPECT_TRUE(test::says(test::faultOf([&] { readClassNames(path, 1); }),
                          "2 class names, but the model has 1 classes"));
 }
 
 TEST(ReadClassNames, NamesTheFaultOfAFileThatCannotBeUsed) {
-  EXPECT_TRUE(detectSays(detectFault([] { readClassNames("/nowhere/names.txt", 1); }), "cannot be read"));
-  EXPECT_TRUE(detectSays(detectFault([] { readClassNames("/tmp", 1); }), "cannot be read"));
+  EXPECT_TRUE(test::says(test::faultOf([] { readClassNames("/nowhere/names.txt", 1); }), "cannot be read"));
+  EXPECT_TRUE(test::says(test::faultOf([] { readClassNames("/tmp", 1); }), "cannot be read"));
   EXPECT_TRUE(
-      detectSays(detectFault([] { readClassNames(detectTempFile("empty.txt", ""), 1); }), "0 class names"));
-  EXPECT_TRUE(detectSays(detectFault([] { readClassNames(detectTempFile("gap.txt", "a\n\nb\n"), 3); }),
+      test::says(test::faultOf([] { readClassNames(detectTempFile("empty.txt", ""), 1); }), "0 class names"));
+  EXPECT_TRUE(test::says(test::faultOf([] { readClassNames(detectTempFile("gap.txt", "a\n\nb\n"), 3); }),
                          "line 2 is empty"));
-  EXPECT_TRUE(detectSays(detectFault([] { readClassNames(detectTempFile("other.yaml", "a: 1\n"), 1); }),
+  EXPECT_TRUE(test::says(test::faultOf([] { readClassNames(detectTempFile("other.yaml", "a: 1\n"), 1); }),
                          "no entry 'names'"));
-  EXPECT_TRUE(detectSays(detectFault([] { readClassNames(detectTempFile("bad.yaml", "names: [a\n"), 1); }),
+  EXPECT_TRUE(test::says(test::faultOf([] { readClassNames(detectTempFile("bad.yaml", "names: [a\n"), 1); }),
                          "bad.yaml"));
 }
 

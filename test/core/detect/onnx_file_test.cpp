@@ -32,11 +32,11 @@ TEST(OnnxFile, TakesOnlyTheFirstInputOfAGraph) {
 }
 
 TEST(OnnxFile, NamesTheFaultOfAFileThatCannotBeRead) {
-  EXPECT_EQ(detectFault([] { readOnnxFile("/nowhere/m.onnx"); }), "model '/nowhere/m.onnx': no such file");
-  EXPECT_EQ(detectFault([] { readOnnxFile("/tmp"); }), "model '/tmp': cannot be read");
-  EXPECT_EQ(detectFault([] { parseOnnx("", "m"); }), "model 'm': the file is empty");
+  EXPECT_EQ(test::faultOf([] { readOnnxFile("/nowhere/m.onnx"); }), "model '/nowhere/m.onnx': no such file");
+  EXPECT_EQ(test::faultOf([] { readOnnxFile("/tmp"); }), "model '/tmp': cannot be read");
+  EXPECT_EQ(test::faultOf([] { parseOnnx("", "m"); }), "model 'm': the file is empty");
   EXPECT_TRUE(
-      detectSays(detectFault([] { parseOnnx("<!DOCTYPE html><title>404</title>", "m"); }), "not ONNX"));
+      test::says(test::faultOf([] { parseOnnx("<!DOCTYPE html><title>404</title>", "m"); }), "not ONNX"));
 }
 
 TEST(OnnxFile, RefusesEveryTruncation) {
@@ -50,14 +50,15 @@ TEST(OnnxFile, RefusesLengthsBeyondTheFile) {
   for (const std::uint64_t length :
        {std::uint64_t{100}, std::uint64_t{1} << 31, std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
     const std::string bytes = detectVarint(7 << 3 | 2) + detectVarint(length) + "graph";
-    EXPECT_TRUE(detectSays(detectFault([&] { parseOnnx(bytes, "m"); }), "middle of a field")) << length;
+    EXPECT_TRUE(test::says(test::faultOf([&] { parseOnnx(bytes, "m"); }), "middle of a field")) << length;
   }
 }
 
 TEST(OnnxFile, RefusesWhatProtobufForbids) {
-  EXPECT_TRUE(detectSays(detectFault([] { parseOnnx(std::string(11, '\xff'), "m"); }), "more than 64 bits"));
-  EXPECT_TRUE(detectSays(detectFault([] { parseOnnx(std::string(1, '\x0b'), "m"); }), "unknown wire type"));
-  EXPECT_TRUE(detectSays(detectFault([] { parseOnnx(std::string(2, '\0'), "m"); }), "number 0"));
+  EXPECT_TRUE(
+      test::says(test::faultOf([] { parseOnnx(std::string(11, '\xff'), "m"); }), "more than 64 bits"));
+  EXPECT_TRUE(test::says(test::faultOf([] { parseOnnx(std::string(1, '\x0b'), "m"); }), "unknown wire type"));
+  EXPECT_TRUE(test::says(test::faultOf([] { parseOnnx(std::string(2, '\0'), "m"); }), "number 0"));
 }
 
 TEST(OnnxFile, SurvivesAnyChangedByte) {
@@ -78,17 +79,17 @@ TEST(OnnxFile, SurvivesAnyChangedByte) {
 
 TEST(ImageInputSize, RefusesOtherInputsWithTheirShape) {
   const auto fault = [](const std::string& bytes) {
-    return detectFault([&] { imageInputSize(parseOnnx(bytes, "m")); });
+    return test::faultOf([&] { imageInputSize(parseOnnx(bytes, "m")); });
   };
-  EXPECT_TRUE(detectSays(fault(detectOnnx(kImage, 10)), "not float32, 1x3x48x64"));
-  EXPECT_TRUE(detectSays(fault(detectOnnx(detectDimension(1) + detectDimension(90))), "1x90"));
+  EXPECT_TRUE(test::says(fault(detectOnnx(kImage, 10)), "not float32, 1x3x48x64"));
+  EXPECT_TRUE(test::says(fault(detectOnnx(detectDimension(1) + detectDimension(90))), "1x90"));
   const std::string open = detectBytes(1, detectBytes(2, "height"));
   EXPECT_TRUE(
-      detectSays(fault(detectOnnx(detectDimension(1) + detectDimension(3) + open + open)), "1x3x?x?"));
+      test::says(fault(detectOnnx(detectDimension(1) + detectDimension(3) + open + open)), "1x3x?x?"));
   const std::string huge =
       detectDimension(1) + detectDimension(3) + detectDimension(1 << 20) + detectDimension(1 << 20);
-  EXPECT_TRUE(detectSays(fault(detectOnnx(huge)), "1x3x1048576x1048576"));
-  EXPECT_TRUE(detectSays(fault(detectOnnx(detectDimension(~std::uint64_t{0}))), "out of range"));
+  EXPECT_TRUE(test::says(fault(detectOnnx(huge)), "1x3x1048576x1048576"));
+  EXPECT_TRUE(test::says(fault(detectOnnx(detectDimension(~std::uint64_t{0}))), "out of range"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string loadFault(const std::string& model, const std::string& class_file = "") {
-  return detectFault([&] { YoloDetector(readOnnxFile(model), class_file); });
+  return test::faultOf([&] { YoloDetector(readOnnxFile(model), class_file); });
 }
 
 // The fixture's score in class 0 is the mean of red, in class 1 of green; see models/make_fixtures.py.
@@ -49,28 +49,28 @@ TEST(YoloDetector, TakesNamesFromAFile) {
 }
 
 TEST(YoloDetector, NamesTheFaultOfAModelItCannotUse) {
-  EXPECT_TRUE(detectSays(loadFault(detectFixture("unnamed_classes.onnx")), "does not name its classes"));
-  EXPECT_TRUE(detectSays(loadFault(detectFixture("stock_head.onnx"), detectTempFile("one.txt", "one\n")),
+  EXPECT_TRUE(test::says(loadFault(detectFixture("unnamed_classes.onnx")), "does not name its classes"));
+  EXPECT_TRUE(test::says(loadFault(detectFixture("stock_head.onnx"), detectTempFile("one.txt", "one\n")),
                          "1 class names, but the model has 2 classes"));
-  EXPECT_TRUE(detectSays(
+  EXPECT_TRUE(test::says(
       loadFault(detectFixture("transposed_head.onnx")),
       "transposed_head.onnx': outputs 1x21x6, expected one of 1x(4 + classes)x21 for an input of 32x32"));
   const std::string whole = detectFileBytes(detectFixture("stock_head.onnx"));
   EXPECT_TRUE(
-      detectSays(loadFault(detectTempFile("half.onnx", whole.substr(0, whole.size() / 2))),
+      test::says(loadFault(detectTempFile("half.onnx", whole.substr(0, whole.size() / 2))),
                  "half.onnx' (" + std::to_string(whole.size() / 2) + " bytes) is truncated or not ONNX"));
 }
 
 TEST(YoloDetector, SaysWhatOpenCvCouldNotImport) {
   const std::string fault = loadFault(detectFixture("unknown_operator.onnx"));
-  EXPECT_TRUE(detectSays(fault, "unknown_operator.onnx': OpenCV cannot import it: OpenCV(" CV_VERSION ")"));
-  EXPECT_TRUE(detectSays(fault, "NoSuchOperator"));
+  EXPECT_TRUE(test::says(fault, "unknown_operator.onnx': OpenCV cannot import it: OpenCV(" CV_VERSION ")"));
+  EXPECT_TRUE(test::says(fault, "NoSuchOperator"));
 }
 
 TEST(YoloDetector, RefusesAModelWithoutNodes) {
   const std::string image =
       detectDimension(1) + detectDimension(3) + detectDimension(32) + detectDimension(32);
-  EXPECT_TRUE(detectSays(loadFault(detectTempFile("hollow.onnx", detectOnnx(image))),
+  EXPECT_TRUE(test::says(loadFault(detectTempFile("hollow.onnx", detectOnnx(image))),
                          "hollow.onnx': OpenCV cannot run it"));
 }
 
