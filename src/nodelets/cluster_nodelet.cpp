@@ -27,6 +27,8 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
   }
 
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
+    if (too_large_ > 0)
+      status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "clusters above max_points are left out");
     status.add("last cloud: clusters", count_);
     status.add("last cloud: noise points", noise_);
     status.add("last cloud: clusters left out as too large", too_large_);

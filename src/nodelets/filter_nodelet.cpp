@@ -11,6 +11,7 @@ namespace field_fusion {
 
 class FilterNodelet : public StageNodelet<FilterStageParams> {
   void onStart() override {
+    if (!params().box_frame.empty()) tf();  // listens from now on
     onParams();
     kept_ = output<CloudMessage>("points_filtered");
     input<CloudMessage>(

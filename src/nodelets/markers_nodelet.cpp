@@ -1,6 +1,7 @@
 // obstacles -> [draw] -> markers
 #include <pluginlib/class_list_macros.hpp>
 
+#include "field_fusion/ros/convert.h"
 #include "field_fusion/ros/markers.h"
 #include "field_fusion/ros/stage.h"
 
@@ -10,8 +11,10 @@ class MarkersNodelet : public StageNodelet<MarkersParams> {
   void onStart() override {
     onParams();
     markers_ = output<visualization_msgs::MarkerArray>("markers");
-    input<ObstacleArray>("obstacles",
-                         [this](const auto& obstacles) { markers_.publish(drawer_.draw(*obstacles)); });
+    input<ObstacleArray>("obstacles", [this](const auto& obstacles) {
+      check(*obstacles);
+      markers_.publish(drawer_.draw(*obstacles));
+    });
   }
 
   void onParams() override { drawer_.setParams(params()); }

@@ -9,11 +9,12 @@ namespace field_fusion {
 
 class MatchNodelet : public StageNodelet<core::MatchParams> {
   void onStart() override {
+    tf();  // listens from now on
     onParams();
     sync_ = std::make_unique<PairSync>(params().sync);
     obstacles_ = output<ObstacleArray>("obstacles");
     clusters_ = &input<ClusterArray>("clusters", [this](const auto& clusters) { add(clusters); });
-    clusters_->deferred = true;  // their work ends when they go out, with or without a partner
+    clusters_->deferred = true;  // until they go out
     detections_ = &input<ImageDetectionArray>(
         "detections", [this](const auto& detections) { add(detections); },
         [this](const auto& detections) { return tf().has(frame_, detections.header); });
@@ -25,9 +26,8 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
   template <class Pointer>
   void add(const Pointer& message) {
     check(*message);
-    const auto late = sync_->counts().late;
-    sync_->add(message, ros::WallTime::now());
-    if (sync_->counts().late > late) fault(*detections_, message->header.stamp, "too late for clusters");
+    const bool in_time = sync_->add(message, ros::WallTime::now());
+    if (!in_time) fault(*detections_, message->header.stamp, "too late for clusters");
     release();
   }
   void release() {
@@ -35,7 +35,7 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     sync_->empty() ? poll_.stop() : poll_.start();
   }
   void publish(const PairSync::Pair& pair) {
-    std::string no_place;
+    std::string no_place;  // why the camera's bodies have none
     frame_ = pair.clusters->header.frame_id;
     obstacles_.publish(matchPair(matcher_, pair, tf(), no_place));
     count(*clusters_, pair.arrival);
@@ -45,7 +45,6 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     const auto& n = sync_->counts();
     status.addf("pairs, clusters alone, detections too late", "%lu %lu %lu", n.pairs, n.alone, n.late);
   }
-
   core::Matcher matcher_;
   std::unique_ptr<PairSync> sync_;
   std::string frame_;  // of the last clusters; empty: none yet

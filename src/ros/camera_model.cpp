@@ -13,30 +13,47 @@ bool finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
-const sensor_msgs::CameraInfo& checked(const sensor_msgs::CameraInfo& info) {
+/// The info as image_geometry reads it; throws where it does not describe a camera.
+sensor_msgs::CameraInfo checked(sensor_msgs::CameraInfo info) {
+  const auto focal = [](double fx, double fy) { return std::to_string(fx) + " and " + std::to_string(fy); };
   if (!finite(info.K) || !finite(info.D) || !finite(info.P) || !finite(info.R))
     throw std::runtime_error("camera info is not finite: K, D, R or P");
   if (!(info.K[0] > 0.0 && info.K[4] > 0.0))
     throw std::runtime_error("camera info is not calibrated: K has focal lengths " +
-                             std::to_string(info.K[0]) + " and " + std::to_string(info.K[4]));
+                             focal(info.K[0], info.K[4]));
   if (!(info.P[0] > 0.0 && info.P[5] > 0.0))
     throw std::runtime_error("camera info is not calibrated: P has focal lengths " +
-                             std::to_string(info.P[0]) + " and " + std::to_string(info.P[5]));
+                             focal(info.P[0], info.P[5]));
   if (info.width == 0 || info.height == 0)
     throw std::runtime_error("camera info has no size: width or height is 0");
+  // Without distortion image_geometry hands pixels back as they are, so that K describes them and not P; and
+  // drivers name such a model as they like.
+  if (std::all_of(info.D.begin(), info.D.end(), [](double d) { return d == 0.0; })) {
+    info.distortion_model = "plumb_bob";
+    info.D.assign(5, 0.0);
+    info.P = {info.K[0], 0, info.K[2], 0, 0, info.K[4], info.K[5], 0, 0, 0, 1, 0};
+  }
   return info;
+}
+
+/// Size of the image that belongs to the info: its region of interest, binned (REP-104).
+std::uint32_t imageSide(std::uint32_t full, std::uint32_t region, std::uint32_t binning) {
+  return (region ? region : full) / std::max(1u, binning);
 }
 
 }  // namespace
 
 CameraModel::CameraModel(const sensor_msgs::CameraInfo& info)
-    : stamp_(info.header.stamp), width_(info.width), height_(info.height) {
+    : stamp_(info.header.stamp),
+      width_(imageSide(info.width, info.roi.width, info.binning_x)),
+      height_(imageSide(info.height, info.roi.height, info.binning_y)) {
+  const auto understood = checked(info);
   try {
-    model_.fromCameraInfo(checked(info));
-  } catch (const std::runtime_error&) {
-    throw;
+    model_.fromCameraInfo(understood);
+    model_.rectifyPoint({0.0, 0.0});  // image_geometry looks at model and D no earlier
   } catch (const std::exception& e) {
-    throw std::runtime_error(std::string("camera info is not understood: ") + e.what());
+    throw std::runtime_error("camera info has a distortion that is not understood: model '" +
+                             info.distortion_model + "' with " + std::to_string(info.D.size()) + " numbers");
   }
 }
 

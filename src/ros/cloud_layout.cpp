@@ -186,6 +186,16 @@ const std::vector<PointField>& pointFields() {
   return fields;
 }
 
+void checkFieldCount(const std::uint8_t* data, std::uint64_t size) {
+  constexpr std::uint64_t kLeast = 13;  // bytes of a field without a name
+  std::uint32_t count = 0;
+  if (size < sizeof count) throw std::runtime_error("cloud ends early: before its fields");
+  std::memcpy(&count, data, sizeof count);
+  if (count > size / kLeast)
+    throw std::runtime_error("cloud claims too many fields: " + std::to_string(count) + " in " +
+                             std::to_string(size) + " bytes");
+}
+
 core::Cloud readPoints(const CloudShape& shape, const std::uint8_t* data, std::uint64_t size) {
   checkSizes(shape, size);
   if (size == 0) return {};

@@ -7,17 +7,28 @@
 namespace field_fusion {
 namespace {
 
+/// So far away no body is seen; also what keeps a coordinate from overflowing as a float.
+constexpr double kFar = 1e9;  // m
+
 template <class Xyz>
 bool finite(const Xyz& p) {
-  return std::isfinite(p.x + p.y + p.z);
+  return std::abs(p.x) < kFar && std::abs(p.y) < kFar && std::abs(p.z) < kFar;  // NaN fails
 }
+
+template <class Xyz>
+bool unknown(const Xyz& p) {
+  return std::isnan(p.x) && std::isnan(p.y) && std::isnan(p.z);
+}
+
+bool isRange(double x) { return x >= 0.0 && x < kFar; }
+bool isAngle(double x) { return std::abs(x) <= core::radians(360.0); }
 
 /// What is wrong with the cluster that stands at place `place`; null when nothing is.
 const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count) {
   if (c.id != place) return "has an id that is not its place";
-  if (!finite(c.min) || !finite(c.max) || !finite(c.centre) ||
-      !std::isfinite(c.range + c.azimuth + c.elevation))
-    return "is not finite";
+  if (!finite(c.min) || !finite(c.max) || !finite(c.centre)) return "is not finite";
+  if (!isRange(c.range) || !isRange(c.nearest_range) || !isAngle(c.azimuth) || !isAngle(c.elevation))
+    return "has a range or angle that is impossible";
   if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) return "has a box with min above max";
   if (std::uint64_t{c.first_point} + c.point_count > point_count) return "names points that are not there";
   return nullptr;
@@ -35,7 +46,25 @@ const char* faultOf(const ImageDetection& d, std::size_t place) {
   return nullptr;
 }
 
+const char* faultOf(const Obstacle& o) {
+  if (!finite(o.position) && !unknown(o.position)) return "has a position that is neither finite nor unknown";
+  const bool size_known = finite(o.size) && o.size.x >= 0.0 && o.size.y >= 0.0 && o.size.z >= 0.0;
+  if (!size_known && !unknown(o.size)) return "has a size that is neither possible nor unknown";
+  const auto known = [](double x) { return !std::isnan(x); };
+  if ((known(o.range) && !isRange(o.range)) || (known(o.azimuth) && !isAngle(o.azimuth)) ||
+      (known(o.elevation) && !isAngle(o.elevation)))
+    return "has a range or angle that is impossible";
+  if (std::isinf(o.range_difference) || std::isinf(o.azimuth_difference)) return "has an infinite difference";
+  return nullptr;
+}
+
 }  // namespace
+
+void check(const ObstacleArray& message) {
+  for (std::size_t i = 0; i < message.obstacles.size(); ++i)
+    if (const char* fault = faultOf(message.obstacles[i]))
+      throw std::runtime_error("obstacles damaged: number " + std::to_string(i) + " " + fault);
+}
 
 void check(const ClusterArray& message) {
   for (std::size_t i = 0; i < message.clusters.size(); ++i)

@@ -4,20 +4,24 @@
 
 namespace field_fusion {
 
-void PairSync::add(const ClusterArray::ConstPtr& clusters, ros::WallTime now) {
+bool PairSync::add(const ClusterArray::ConstPtr& clusters, ros::WallTime now) {
   if (clusters->header.stamp <= last_clusters_) reset();
   last_clusters_ = clusters->header.stamp;
   if (camera_heard_.isZero()) camera_heard_ = now;
   waiting_.push_back({{clusters, now, nullptr}});
+  const auto late = counts_.late;
   clusters_in_.add(clusters);
   if (waiting_.size() > static_cast<std::size_t>(params_.queue_size)) waiting_.front().settled = true;
+  return counts_.late == late;
 }
 
-void PairSync::add(const ImageDetectionArray::ConstPtr& detections, ros::WallTime now) {
+bool PairSync::add(const ImageDetectionArray::ConstPtr& detections, ros::WallTime now) {
   if (detections->header.stamp <= last_detections_) reset();
   last_detections_ = detections->header.stamp;
   camera_heard_ = now;
+  const auto late = counts_.late;
   detections_in_.add(detections);
+  return counts_.late == late;
 }
 
 std::optional<PairSync::Pair> PairSync::next(ros::WallTime now) {

@@ -12,6 +12,13 @@ namespace {
 constexpr double kHoldPoll = 0.005;  // [s] of wall time
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
+/// Messages between two numbers of one publisher; 0 where they cannot be of one run of it.
+std::uint32_t gapBefore(std::uint32_t seq, std::uint32_t last) {
+  constexpr std::uint32_t kLargestGap = 1000;
+  const std::uint32_t gap = seq - last - 1;
+  return last == 0 || seq <= last || gap > kLargestGap ? 0 : gap;
+}
+
 }  // namespace
 
 void Stage::stop() {
@@ -31,6 +38,7 @@ void Stage::onInit() try {
   start();
 } catch (const std::exception& e) {
   NODELET_FATAL_STREAM("not started: " << e.what());  // the loader itself tells nobody
+  announceRefusal(e.what());
   throw;
 }
 
@@ -106,6 +114,7 @@ void Stage::updateSubscriptions() {
   for (auto& port : inputs_) {
     port.subscription = wanted ? port.subscribe() : nullptr;
     port.order.reset();
+    port.last_seq = 0;
     port.last_arrival = ros::WallTime::now();
   }
   if (!wanted) held_.clear();
@@ -115,6 +124,8 @@ void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damag
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto stamp = arrival.message.stamp;
   ++port.received;
+  port.missing += gapBefore(arrival.seq, port.last_seq);
+  port.last_seq = arrival.seq;
   port.last_arrival = arrival.at;
   port.last = arrival.message;
   if (!damage.empty()) return fault(port, stamp, damage);

@@ -1,4 +1,5 @@
 // What a stage tells on /diagnostics.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <sstream>
@@ -25,6 +26,7 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
   status.add(key("received"), port.received);
   status.add(key("processed"), port.processed);
   status.add(key("skipped"), port.skipped);
+  status.add(key("missing"), port.missing);
   status.add(key("dropped"), port.faults.total());
   for (const auto& [kind, count] : port.faults.byKind()) status.add(key("dropped, ") + kind, count);
   if (port.latency.count() > 0) {
@@ -39,7 +41,7 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
 std::string worry(const InputPort& port, double timeout) {
   if (port.faults.age() < kFaultShown) return port.topic + " dropped, " + port.faults.last();
   const double silent = (ros::WallTime::now() - port.last_arrival).toSec();
-  if (port.optional || silent < timeout) return "";
+  if (silent < timeout) return "";
   std::ostringstream out;
   out.precision(2);
   out << (port.received == 0 ? "waiting for " : "nothing new on ") << port.topic << " for " << std::fixed
@@ -63,6 +65,19 @@ void Stage::diagnose(DiagnosticStatusWrapper& status) {
   }
   status.add("time jumps", time_jumps_);
   onDiagnostics(status);
+}
+
+void Stage::announceRefusal(const std::string& reason) {
+  // latched and never taken down: the stage goes, the manager and this word stay
+  static auto* const publisher = new ros::Publisher(
+      ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 20, true));
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  array.status.resize(1);
+  array.status[0].name = getName().substr(1) + ": stage";
+  array.status[0].level = DiagnosticStatus::ERROR;
+  array.status[0].message = "not started: " + reason;
+  publisher->publish(array);
 }
 
 }  // namespace field_fusion

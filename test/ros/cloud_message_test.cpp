@@ -169,6 +169,17 @@ TEST(CloudMessage, DisagreementIsNamedAndLeavesNoPoint) {
             "cloud field is not a float");
 }
 
+TEST(CloudMessage, FieldCountBeyondTheMessageTakesNoMemory) {
+  const auto bytes = ros::serialization::serializeMessage(PointCloud2());
+  constexpr int kFields = 4 + 8 + 4 + 4 + 4;  // after seq, stamp, empty frame_id, height, width
+  const std::uint32_t count = 0xffffffff;
+  std::memcpy(bytes.message_start + kFields, &count, sizeof count);
+  CloudMessage out;
+  ros::serialization::IStream stream(bytes.message_start, bytes.num_bytes - 4);
+  ros::serialization::deserialize(stream, out);
+  EXPECT_EQ(out.fault.substr(0, out.fault.find(':')), "cloud claims too many fields");
+}
+
 TEST(CloudMessage, MessageThatEndsEarlyIsAFault) {
   const auto bytes = ros::serialization::serializeMessage(xyz(10));
   for (std::uint32_t length = 0; length + 4 < bytes.num_bytes; length += 5) {

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "support/clouds.h"
+#include "support/faults.h"
+#include "support/obstacles.h"
 
 namespace field_fusion {
 namespace {
@@ -93,12 +95,32 @@ TEST(CheckClusters, NamesWhatIsWrong) {
   EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].centre.y = NAN; }),
             "clusters damaged: number 0 is not finite");
   EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].range = INFINITY; }),
-            "clusters damaged: number 0 is not finite");
+            "clusters damaged: number 0 has a range or angle that is impossible");
   EXPECT_EQ(faultAfter([](auto& m) { std::swap(m.clusters[0].min, m.clusters[0].max); }),
             "clusters damaged: number 0 has a box with min above max");
   const std::string points = "clusters damaged: number 1 names points that are not there";
   EXPECT_EQ(faultAfter([](auto& m) { m.points.pop_back(); }), points);
   EXPECT_EQ(faultAfter([](auto& m) { m.clusters[1].point_count = 0xffffffff; }), points);
+}
+
+TEST(CheckObstacles, RefusesTheImpossibleAndLetsTheUnknownPass) {
+  const auto faultAfter = [](auto damage) {
+    ObstacleArray array;
+    array.obstacles.push_back(test::obstacleAt(Obstacle::SOURCE_LIDAR, 5.0, 10.0));
+    damage(array.obstacles[0]);
+    return test::faultOf([&] { check(array); });
+  };
+  EXPECT_EQ(faultAfter([](Obstacle&) {}), "");
+  EXPECT_EQ(faultAfter([](Obstacle& o) {
+              o.position.x = o.position.y = o.position.z = o.range = core::kNaN;
+              o.size.x = o.size.y = o.size.z = core::kNaN;
+            }),
+            "");
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.position.y = core::kNaN; }), "position"));
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.position.x = INFINITY; }), "position"));
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.size.z = -1.0; }), "size"));
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.range = -1.f; }), "range"));
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.azimuth_difference = INFINITY; }), "difference"));
 }
 
 TEST(CheckDetections, NamesWhatIsWrongAndLetsTheUnknownPass) {

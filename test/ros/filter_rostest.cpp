@@ -169,8 +169,15 @@ TEST(LazyStage, SubscribesOnlyWhileSomebodyListens) {
   };
   ASSERT_TRUE(spinUntil(idle));
   EXPECT_FALSE(in.connected());
-  Received<CloudMessage> out("points_filtered");
-  EXPECT_TRUE(spinUntil([&] { return in.connected(); }));
+  for (int visit = 0; visit < 3; ++visit) {
+    Received<CloudMessage> out("points_filtered");
+    EXPECT_TRUE(spinUntil([&] { return in.connected(); })) << "visit " << visit;
+    ros::Time stamp(100.0 + visit, 0);
+    EXPECT_TRUE(spinUntil([&] { return out.last != nullptr; },
+                          [&] { in.send(cloudAt((stamp += ros::Duration(0.1)).toSec())); }));
+    out.leave();
+    EXPECT_TRUE(spinUntil([&] { return !in.connected(); })) << "visit " << visit;
+  }
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ class Received {
       : subscriber_(nh_.subscribe<M>(topic, 50,
                                      [this](const boost::shared_ptr<const M>& m) { last = m, ++count; })) {}
   bool connected() const { return subscriber_.getNumPublishers() > 0; }
+  void leave() { subscriber_.shutdown(); }
 
   boost::shared_ptr<const M> last;
   int count = 0;

@@ -42,7 +42,7 @@ def test_ros_layer_does_not_know_the_nodelets():
     assert layer and [f for f in layer if "nodelets/" in f.read_text()] == []
 
 
-@pytest.mark.parametrize("folders, most", [(("src/nodelets",), 60), (("include", "src", "bench", "test", "scripts", "models"), 300)])
+@pytest.mark.parametrize("folders, most", [(("src/nodelets",), 59), (("include", "src", "bench", "test", "scripts", "models"), 300)])
 def test_files_stay_short(folders, most):
     lengths = {f: len(f.read_text().splitlines()) for f in sources(*folders)}
     assert lengths and {str(f.relative_to(ROOT)): n for f, n in lengths.items() if n > most} == {}

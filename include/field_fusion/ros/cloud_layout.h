@@ -21,6 +21,10 @@ struct CloudShape {
   bool is_bigendian = false;
 };
 
+/// Throws std::runtime_error where the field list that begins at `data` claims more fields than `size` bytes
+/// can hold: reading it would first take memory for all of them.
+void checkFieldCount(const std::uint8_t* data, std::uint64_t size);
+
 /// Reads `size` bytes at `data` into points. `x y z` (float32 or float64) are required; `intensity`,
 /// `ring` and a time are taken where present. Times: `time`, `t`, `timestamp`, `time_offset`, `offset_time`;
 /// a float is seconds, an integer nanoseconds, and a float64 above 1e6 s an absolute time.

@@ -79,6 +79,7 @@ struct Serializer<field_fusion::CloudMessage> {
       stream.next(m.header);
       stream.next(shape.height);
       stream.next(shape.width);
+      field_fusion::checkFieldCount(stream.getData(), stream.getLength());
       stream.next(shape.fields);
       stream.next(flag);
       stream.next(shape.point_step);

@@ -21,6 +21,10 @@ void check(const ClusterArray& message);
 /// unknown.
 void check(const ImageDetectionArray& message);
 
+/// Throws std::runtime_error "obstacles damaged: details" where a number of an obstacle is neither possible
+/// nor unknown (NaN).
+void check(const ObstacleArray& message);
+
 boost::shared_ptr<ClusterArray> clusterMessage(const std_msgs::Header& header,
                                                const core::Clusters& clusters);
 

@@ -30,8 +30,9 @@ class PairSync {
   explicit PairSync(const core::SyncParams& params) : params_(params) { reset(); }
 
   /// Stamps of an input must rise. One that does not is the first of a new subscription: starts anew.
-  void add(const ClusterArray::ConstPtr& clusters, ros::WallTime now);
-  void add(const ImageDetectionArray::ConstPtr& detections, ros::WallTime now);
+  /// False when detections found that their clusters had already gone on alone.
+  bool add(const ClusterArray::ConstPtr& clusters, ros::WallTime now);
+  bool add(const ImageDetectionArray::ConstPtr& detections, ros::WallTime now);
 
   /// The next that need wait no longer.
   std::optional<Pair> next(ros::WallTime now);

@@ -110,6 +110,7 @@ class Stage : public nodelet::Nodelet {
     MessageTrace message;
     std::function<bool()> ready;
     std::function<void()> handle;
+    std::uint32_t seq = 0;
   };
   struct Held {
     InputPort* port;
@@ -126,6 +127,7 @@ class Stage : public nodelet::Nodelet {
           ros::WallTime::now(), {message->header.stamp, message.get()}, nullptr, [handler, message] {
             handler(message);
           }};
+      arrival.seq = message->header.seq;
       if (ready) arrival.ready = [ready, message] { return ready(*message); };
       onArrival(port, std::move(arrival), faultOf(*message));
     };
@@ -143,6 +145,7 @@ class Stage : public nodelet::Nodelet {
   bool waits(const InputPort& port) const;
   void release();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void announceRefusal(const std::string& reason);
 
   const Listen listen_;
   std::mutex mutex_;

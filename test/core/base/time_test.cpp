@@ -34,6 +34,31 @@ TEST(StampOrder, LateStampsDoNotPullTheClockBack) {
   EXPECT_EQ(order.check(8 * kSecond + kSecond / 2), Verdict::kTimeJump);
 }
 
+TEST(StampOrder, ShortBagThatLoopsIsAJumpAfterARunOfRisingLateStamps) {
+  // a bag of 0.9 s, twice: 10.0 ... 10.9, 10.0 ...
+  StampOrder order;
+  const auto frame = [](int i) { return 10 * kSecond + i * kSecond / 10; };
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(order.check(frame(i)), Verdict::kNewer);
+  for (int i = 0; i < StampOrder::kJumpRun - 1; ++i) EXPECT_EQ(order.check(frame(i)), Verdict::kOutOfOrder);
+  EXPECT_EQ(order.check(frame(StampOrder::kJumpRun - 1)), Verdict::kTimeJump);
+  EXPECT_EQ(order.check(frame(StampOrder::kJumpRun)), Verdict::kNewer);
+}
+
+TEST(StampOrder, SecondSourceThatLagsIsNoJump) {
+  // two sources on one topic, one 0.3 s behind: between its stamps come newer ones
+  StampOrder order;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(order.check((10 + i) * kSecond), Verdict::kNewer);
+    EXPECT_EQ(order.check((10 + i) * kSecond - kSecond * 3 / 10), Verdict::kOutOfOrder);
+  }
+}
+
+TEST(StampOrder, OneStampForEverIsNoJump) {
+  StampOrder order;
+  EXPECT_EQ(order.check(7), Verdict::kNewer);
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(order.check(7), Verdict::kOutOfOrder);
+}
+
 TEST(Latency, EmptyKnowsNothing) {
   const Latency latency;
   EXPECT_TRUE(std::isnan(latency.percentile(0.5)));

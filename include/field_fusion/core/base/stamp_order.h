@@ -12,17 +12,26 @@ class StampOrder {
   /// Older than the last by more than this is a jump; less, or equal, is out of order.
   static constexpr std::int64_t kJumpNs = 1'000'000'000;
 
+  /// So many late stamps in a row that rise among themselves are a jump too: a bag shorter than kJumpNs
+  /// loops.
+  static constexpr int kJumpRun = 5;
+
   /// A stamp that is out of order leaves the last one as it was.
   Verdict check(std::int64_t stamp_ns) {
-    if (last_ns_ && stamp_ns <= *last_ns_ && *last_ns_ - stamp_ns <= kJumpNs) return Verdict::kOutOfOrder;
-    const bool jumped = last_ns_ && stamp_ns < *last_ns_;
+    const bool late = last_ns_ && stamp_ns <= *last_ns_;
+    run_ = !late ? 0 : stamp_ns > late_ns_ ? run_ + 1 : 1;
+    late_ns_ = stamp_ns;
+    if (late && *last_ns_ - stamp_ns <= kJumpNs && run_ < kJumpRun) return Verdict::kOutOfOrder;
     last_ns_ = stamp_ns;
-    return jumped ? Verdict::kTimeJump : Verdict::kNewer;
+    run_ = 0;
+    return late ? Verdict::kTimeJump : Verdict::kNewer;
   }
-  void reset() { last_ns_.reset(); }
+  void reset() { last_ns_.reset(), run_ = 0; }
 
  private:
   std::optional<std::int64_t> last_ns_;
+  std::int64_t late_ns_ = 0;  // the last late stamp
+  int run_ = 0;               // late stamps in a row, each newer than the one before
 };
 
 }  // namespace field_fusion::core

@@ -13,7 +13,7 @@ namespace field_fusion::core {
 struct ClusterParams {
   double epsilon = 0.5;
   int min_points = 10;
-  int max_points = 20000;
+  int max_points = 10000000;
 
   void declare(Params& p) {
     p.number("epsilon", epsilon, {0.01, 5.0}, "m", When::kLive, "Neighbourhood radius of DBSCAN.");
