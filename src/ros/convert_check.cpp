@@ -12,6 +12,16 @@ bool finite(const Xyz& p) {
   return std::isfinite(p.x + p.y + p.z);
 }
 
+/// An oriented box is known altogether or not at all.
+bool soundBox(const Cluster& c) {
+  const auto& size = c.box_size;
+  const bool unknown = std::isnan(c.box_yaw) && std::isnan(c.box_centre.x) && std::isnan(c.box_centre.y) &&
+                       std::isnan(c.box_centre.z) && std::isnan(size.x) && std::isnan(size.y) &&
+                       std::isnan(size.z);
+  const bool known = std::isfinite(c.box_yaw) && finite(c.box_centre) && finite(size);
+  return unknown || (known && size.x >= size.y && size.y >= 0.0 && size.z >= 0.0);
+}
+
 /// What is wrong with the cluster that stands at place `place`; null when nothing is.
 const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count) {
   if (c.id != place) return "has an id that is not its place";
@@ -19,6 +29,7 @@ const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count
       !std::isfinite(c.range + c.azimuth + c.elevation))
     return "is not finite";
   if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) return "has a box with min above max";
+  if (!soundBox(c)) return "has an oriented box that is half known, inside out or wider than long";
   if (std::uint64_t{c.first_point} + c.point_count > point_count) return "names points that are not there";
   return nullptr;
 }

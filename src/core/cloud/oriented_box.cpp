@@ -12,7 +12,6 @@ constexpr int kHalvings = 5;      // to 5 / 2^5 = 0.16 deg
 
 const float kQuarter = static_cast<float>(radians(90.0));
 
-/// Two passes without a branch, which the compiler turns into vector code.
 struct Span {
   float low, high;
 };

@@ -19,7 +19,11 @@ constexpr std::uint32_t kAhead = 12;
 constexpr std::uint32_t kAbove = 4;
 constexpr std::uint32_t kRowsUp = 2;
 
-double gap(float a, float b) { return std::abs(angleDifference(a, b)); }
+/// [rad] Between two azimuths in [-pi, pi]; cheaper than `angleDifference`.
+double turn(float a, float b) {
+  const double apart = std::abs(double{a} - b);
+  return std::min(apart, radians(360.0) - apart);
+}
 
 }  // namespace
 
@@ -83,19 +87,20 @@ void RangeImage::sortRows() {
   for (std::size_t row = 1; row < row_start_.size(); ++row) row_start_[row] += row_start_[row - 1];
 }
 
-bool RangeImage::joinIfNear(const Cloud& cloud, std::uint32_t a, std::uint32_t b) {
+void RangeImage::joinIfNear(const Cloud& cloud, std::uint32_t a, std::uint32_t b) {
+  if (sets_.root(a) == sets_.root(b)) return;
   const DepthStep step = depthStep(cloud[rays_[a].index].position(), cloud[rays_[b].index].position());
-  if (!same_depth_(step) || !step.alongWithin(epsilon_)) return false;
-  if (gap(rays_[a].azimuth, rays_[b].azimuth) > kColumnStep && !step.acrossWithin(epsilon_)) return false;
-  sets_.join(a, b);
-  return true;
+  const auto near = [&] {
+    return turn(rays_[a].azimuth, rays_[b].azimuth) <= kColumnStep || step.acrossWithin(epsilon_);
+  };
+  if (same_depth_(step) && step.alongWithin(epsilon_) && near()) sets_.join(a, b);
 }
 
 void RangeImage::joinInRow(const Cloud& cloud, std::uint32_t ray) {
   const std::uint32_t first = row_start_[rays_[ray].row];
   const std::uint32_t count = row_start_[rays_[ray].row + 1] - first;
   for (std::uint32_t k = 1; k <= kAhead && k < count; ++k)
-    if (joinIfNear(cloud, ray, first + (ray - first + k) % count)) return;
+    joinIfNear(cloud, ray, first + (ray - first + k) % count);
 }
 
 void RangeImage::joinUpwards(const Cloud& cloud, std::uint32_t ray) {
@@ -108,14 +113,10 @@ void RangeImage::joinUpwards(const Cloud& cloud, std::uint32_t ray) {
     const auto after = std::lower_bound(begin, begin + count, own.azimuth,
                                         [](const Ray& r, float azimuth) { return r.azimuth < azimuth; });
     const auto start = static_cast<std::uint32_t>(after - begin) + count * kAbove - kAbove / 2;
-    bool seen = false;
     for (std::uint32_t k = 0; k < std::min(kAbove, count); ++k) {
       const std::uint32_t other = first + (start + k) % count;
-      if (gap(rays_[other].elevation, own.elevation) > kRowStep) continue;
-      seen = seen || gap(rays_[other].azimuth, own.azimuth) <= kColumnStep;
-      joinIfNear(cloud, ray, other);
+      if (rays_[other].elevation - own.elevation <= kRowStep) joinIfNear(cloud, ray, other);
     }
-    if (seen) return;
   }
 }
 

@@ -14,10 +14,10 @@ namespace field_fusion::core {
 ///
 /// Rows are the points' rings, 0 the lowest. Where a usable point's ring is unknown they come from the
 /// elevations in ascending order: a row ends before a gap of more than 0.1 deg, and after 0.4 deg. Within a
-/// row points are ordered by azimuth and no columns are formed, so any layout will do. In its row a point is
-/// joined to the first of the 12 that follow it (which reaches past a pole) that is near: within 0.5 deg, or
-/// |BC| within epsilon. Upwards the four that are nearest in azimuth are looked at, in the next row that has
-/// a point within 0.5 deg, of at most two, and no more than 5 deg above.
+/// row points are ordered by azimuth and no columns are formed, so any layout will do. A point is compared
+/// with the 12 that follow it in its row, which reaches past a pole, and in each of the next two rows, up to
+/// 5 deg above, with the four nearest in azimuth. Both must be within 0.5 deg in azimuth, or |BC| within
+/// epsilon.
 ///
 /// A point at the origin has no ray and belongs to no cluster. Keeps its buffers from cloud to cloud.
 class RangeImage {
@@ -42,7 +42,7 @@ class RangeImage {
   void sortRows();
   void joinInRow(const Cloud& cloud, std::uint32_t ray);
   void joinUpwards(const Cloud& cloud, std::uint32_t ray);
-  bool joinIfNear(const Cloud& cloud, std::uint32_t a, std::uint32_t b);
+  void joinIfNear(const Cloud& cloud, std::uint32_t a, std::uint32_t b);
   void labelPoints();
 
   double epsilon_ = 0.0;
