@@ -105,7 +105,7 @@ Labels pclLabels(const Cloud& cloud, double tolerance, int fewest, int most) {
   extraction.setClusterTolerance(tolerance);
   extraction.setMinClusterSize(fewest);
   extraction.setMaxClusterSize(most);
-  extraction.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
+  extraction.setSearchMethod(pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
   extraction.setInputCloud(same);
   std::vector<pcl::PointIndices> clusters;
   extraction.extract(clusters);
