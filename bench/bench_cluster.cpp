@@ -1,4 +1,5 @@
-// Cost of the clustering beside pcl::EuclideanClusterExtraction on a street scene, and how it grows.
+// Cost of the clustering beside pcl::EuclideanClusterExtraction on a street scene, of each method, and how it
+// grows.
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
@@ -22,6 +23,7 @@ core::ClusterParams benchParams() {
   params.epsilon = 0.5;
   params.min_points = 10;
   params.max_points = 10000000;
+  params.oriented_boxes = false;  // PCL fits none either
   return params;
 }
 
@@ -66,6 +68,25 @@ void compareWithPcl(const core::Cloud& cloud) {
   bench::print("cluster/dbscan/cost", bench::medianFigure(cost.b), "ms");
 }
 
+/// The other methods, and what the oriented boxes add.
+void methods(const core::Cloud& cloud) {
+  using core::ClusterMethod;
+  core::ClusterParams params = benchParams();
+  core::Clusterer clusterer;
+  const auto measure = [&](const char* name, ClusterMethod method) {
+    params.method = method;
+    clusterer.setParams(params);
+    const auto cost = bench::costs(kRepeats, [&] { clusterer.run(cloud); });
+    std::printf("%zu clusters of %s\n", clusterer.run(cloud).clusters.size(), name);
+    bench::print(std::string("cluster/") + name + "/cost", bench::medianFigure(cost), "ms");
+  };
+  measure("dbscan_beta", ClusterMethod::kDbscanBeta);
+  measure("range_image", ClusterMethod::kRangeImage);
+  measure("euclidean", ClusterMethod::kEuclidean);
+  params.oriented_boxes = true;
+  measure("dbscan_with_oriented_boxes", ClusterMethod::kDbscan);
+}
+
 /// The same street seen with ever more rays.
 void growth() {
   test::StreetScan dense;
@@ -96,6 +117,7 @@ int main() {
   const core::Cloud cloud = test::scanStreet().off_ground;
   if (!equalsBruteForce(cloud)) return 1;
   compareWithPcl(cloud);
+  methods(cloud);
   growth();
   return 0;
 }

@@ -1,4 +1,4 @@
-// points -> [DBSCAN] -> clusters
+// points -> [clusterer] -> clusters
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/core/cloud/cluster.h"

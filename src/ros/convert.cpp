@@ -31,6 +31,9 @@ Cluster toMessage(const core::Cluster& in, std::uint32_t id) {
   out.azimuth = static_cast<float>(in.polar.azimuth);
   out.elevation = static_cast<float>(in.polar.elevation);
   out.nearest_range = in.nearest_range;
+  out.box_centre = xyz<geometry_msgs::Point>(in.oriented_box.centre);
+  out.box_size = xyz<geometry_msgs::Vector3>(in.oriented_box.size);
+  out.box_yaw = in.oriented_box.yaw;
   return out;
 }
 
@@ -41,6 +44,9 @@ core::Cluster fromMessage(const Cluster& in) {
   out.centre = vectorOf(in.centre).cast<float>();
   out.polar = {in.range, in.azimuth, in.elevation};
   out.nearest_range = in.nearest_range;
+  out.oriented_box.centre = vectorOf(in.box_centre).cast<float>();
+  out.oriented_box.size = vectorOf(in.box_size).cast<float>();
+  out.oriented_box.yaw = in.box_yaw;
   return out;
 }
 

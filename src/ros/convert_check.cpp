@@ -23,6 +23,14 @@ bool unknown(const Xyz& p) {
 bool isRange(double x) { return x >= 0.0 && x < kFar; }
 bool isAngle(double x) { return std::abs(x) <= core::radians(360.0); }
 
+/// An oriented box is known altogether or not at all.
+bool soundBox(const Cluster& c) {
+  const auto& size = c.box_size;
+  const bool none = std::isnan(c.box_yaw) && unknown(c.box_centre) && unknown(size);
+  const bool whole = isAngle(c.box_yaw) && finite(c.box_centre) && finite(size);
+  return none || (whole && size.x >= size.y && size.y >= 0.0 && size.z >= 0.0);
+}
+
 /// What is wrong with the cluster that stands at place `place`; null when nothing is.
 const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count) {
   if (c.id != place) return "has an id that is not its place";
@@ -30,6 +38,7 @@ const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count
   if (!isRange(c.range) || !isRange(c.nearest_range) || !isAngle(c.azimuth) || !isAngle(c.elevation))
     return "has a range or angle that is impossible";
   if (c.min.x > c.max.x || c.min.y > c.max.y || c.min.z > c.max.z) return "has a box with min above max";
+  if (!soundBox(c)) return "has an oriented box that is half known, inside out or wider than long";
   if (std::uint64_t{c.first_point} + c.point_count > point_count) return "names points that are not there";
   return nullptr;
 }

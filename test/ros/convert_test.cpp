@@ -62,7 +62,18 @@ TEST(ClusterMessage, ComesBackAsItWas) {
     EXPECT_EQ(static_cast<float>(a.polar.azimuth), b.polar.azimuth);
     EXPECT_EQ(static_cast<float>(a.polar.elevation), b.polar.elevation);
     EXPECT_EQ(a.nearest_range, b.nearest_range);
+    EXPECT_EQ(a.oriented_box.centre, b.oriented_box.centre);
+    EXPECT_EQ(a.oriented_box.size, b.oriented_box.size);
+    EXPECT_EQ(a.oriented_box.yaw, b.oriented_box.yaw);
   }
+}
+
+TEST(ClusterMessage, OrientedBoxMayBeUnknown) {
+  auto clusters = twoClusters();
+  clusters.clusters[0].oriented_box = {};
+  const auto message = clusterMessage(header(), clusters);
+  EXPECT_EQ(faultIn(*message), "");
+  EXPECT_TRUE(std::isnan(clustersOf(*message)[0].oriented_box.yaw));
 }
 
 TEST(ClusterMessage, PointsAreThoseOfTheClusters) {
@@ -98,6 +109,12 @@ TEST(CheckClusters, NamesWhatIsWrong) {
             "clusters damaged: number 0 has a range or angle that is impossible");
   EXPECT_EQ(faultAfter([](auto& m) { std::swap(m.clusters[0].min, m.clusters[0].max); }),
             "clusters damaged: number 0 has a box with min above max");
+  const std::string box =
+      "clusters damaged: number 0 has an oriented box that is half known, inside out or wider than long";
+  EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].box_yaw = NAN; }), box);
+  EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].box_centre.x = INFINITY; }), box);
+  EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].box_size.y = 99.0; }), box);
+  EXPECT_EQ(faultAfter([](auto& m) { m.clusters[0].box_size.z = -1.0; }), box);
   const std::string points = "clusters damaged: number 1 names points that are not there";
   EXPECT_EQ(faultAfter([](auto& m) { m.points.pop_back(); }), points);
   EXPECT_EQ(faultAfter([](auto& m) { m.clusters[1].point_count = 0xffffffff; }), points);

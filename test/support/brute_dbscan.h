@@ -21,13 +21,15 @@ inline std::vector<int> inOrderOfAppearance(std::vector<int> labels) {
   return labels;
 }
 
-/// Labels by the rules stated at core::Dbscan, in order of appearance.
-inline std::vector<int> bruteDbscan(const core::Cloud& cloud, float epsilon, int min_points) {
-  const auto distance2 = [&](std::size_t i, std::size_t j) {
-    const core::Point &a = cloud[i], &b = cloud[j];
-    return core::squaredDistance(a.x, a.y, a.z, b.x, b.y, b.z);
-  };
-  const auto near = [&](std::size_t i, std::size_t j) { return distance2(i, j) <= epsilon * epsilon; };
+inline float distance2(const core::Point& a, const core::Point& b) {
+  return core::squaredDistance(a.x, a.y, a.z, b.x, b.y, b.z);
+}
+
+/// Labels by the rules stated at core::Dbscan, in order of appearance; `neighbours` tells for two points
+/// whether they are.
+template <class Neighbours>
+std::vector<int> bruteDbscan(const core::Cloud& cloud, int min_points, Neighbours&& neighbours) {
+  const auto near = [&](std::size_t i, std::size_t j) { return neighbours(cloud[i], cloud[j]); };
   const std::size_t n = cloud.size();
 
   std::vector<bool> core(n);
@@ -57,10 +59,16 @@ inline std::vector<int> bruteDbscan(const core::Cloud& cloud, float epsilon, int
     if (core[i] || !core::usable(cloud[i])) continue;
     float nearest = std::numeric_limits<float>::infinity();
     for (std::size_t j = 0; j < n; ++j)
-      if (core[j] && near(i, j) && distance2(i, j) < nearest)
-        nearest = distance2(i, j), labels[i] = labels[j];
+      if (core[j] && near(i, j) && distance2(cloud[i], cloud[j]) < nearest)
+        nearest = distance2(cloud[i], cloud[j]), labels[i] = labels[j];
   }
   return inOrderOfAppearance(std::move(labels));
+}
+
+inline std::vector<int> bruteDbscan(const core::Cloud& cloud, float epsilon, int min_points) {
+  return bruteDbscan(cloud, min_points, [&](const core::Point& a, const core::Point& b) {
+    return distance2(a, b) <= epsilon * epsilon;
+  });
 }
 
 }  // namespace field_fusion::test

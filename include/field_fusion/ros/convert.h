@@ -13,7 +13,7 @@
 namespace field_fusion {
 
 /// Throws std::runtime_error "clusters damaged: details" where a cluster is not finite, inside out, not in
-/// its place, or names points that are not there.
+/// its place, names points that are not there, or has an oriented box that is neither sound nor all NaN.
 void check(const ClusterArray& message);
 
 /// Throws std::runtime_error "detections damaged: details" where a detection is not in its place, its score

@@ -6,36 +6,73 @@
 namespace field_fusion::core {
 
 const Clusters& Clusterer::run(const Cloud& cloud) {
-  const std::vector<int>& sets = dbscan_.run(cloud, static_cast<float>(params_.epsilon), params_.min_points);
-  result_.unusable = cloud.size() - dbscan_.usableCount();
-  measure(cloud, sets, dbscan_.clusterCount());
+  const Sets sets = separate(cloud);
+  result_.unusable = cloud.size() - sets.usable;
+  measure(cloud, sets);
   order();
-  fill(cloud, sets);
+  fill(cloud, sets.labels);
   describe();
   return result_;
 }
 
-void Clusterer::measure(const Cloud& cloud, const std::vector<int>& sets, int set_count) {
-  extents_.assign(set_count, {});
+Clusterer::Sets Clusterer::separate(const Cloud& cloud) {
+  const auto epsilon = static_cast<float>(params_.epsilon);
+  const double theta = radians(params_.theta);
+  const auto sets = [](const auto& method, const std::vector<int>& labels) {
+    return Sets{labels, method.clusterCount(), method.usableCount()};
+  };
+  switch (params_.method) {
+    case ClusterMethod::kDbscanBeta: {
+      const auto& labels = dbscan_beta_.run(cloud, epsilon, params_.min_points, theta);
+      return sets(dbscan_beta_, labels);
+    }
+    case ClusterMethod::kRangeImage: {
+      const auto& labels = range_image_.run(cloud, params_.epsilon, theta);
+      return sets(range_image_, labels);
+    }
+    case ClusterMethod::kEuclidean: {
+      const auto& labels = dbscan_.runEuclidean(cloud, epsilon);
+      return sets(dbscan_, labels);
+    }
+    case ClusterMethod::kDbscan:
+      break;
+  }
+  const auto& labels = dbscan_.run(cloud, epsilon, params_.min_points);
+  return sets(dbscan_, labels);
+}
+
+void Clusterer::measure(const Cloud& cloud, const Sets& sets) {
+  extents_.assign(sets.count, {});
   std::size_t members = 0;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (sets[i] == kNoise) continue;
-    Extent& extent = extents_[sets[i]];
+    if (sets.labels[i] == kNoise) continue;
+    Extent& extent = extents_[sets.labels[i]];
     const float range2 = cloud[i].position().squaredNorm();
     if (extent.count == 0) extent = {0, i, range2};
     ++extent.count;
     extent.nearest2 = std::min(extent.nearest2, range2);
     ++members;
   }
-  result_.noise = dbscan_.usableCount() - members;
+  result_.noise = sets.usable - members;
 }
 
+// DBSCAN knows small clusters from noise by itself.
 void Clusterer::order() {
+  const bool density =
+      params_.method == ClusterMethod::kDbscan || params_.method == ClusterMethod::kDbscanBeta;
+  const auto fewest = static_cast<std::uint32_t>(density ? 1 : params_.min_points);
+  const auto most = static_cast<std::uint32_t>(params_.max_points);
   kept_.clear();
-  for (std::size_t set = 0; set < extents_.size(); ++set)
-    if (extents_[set].count <= static_cast<std::uint32_t>(params_.max_points))
+  result_.too_large = 0;
+  for (std::size_t set = 0; set < extents_.size(); ++set) {
+    const std::uint32_t count = extents_[set].count;
+    if (count < fewest)
+      result_.noise += count;
+    else if (count > most)
+      ++result_.too_large;
+    else
       kept_.push_back(static_cast<int>(set));
-  result_.too_large = extents_.size() - kept_.size();
+  }
   std::sort(kept_.begin(), kept_.end(), [this](int a, int b) {
     return std::tie(extents_[a].nearest2, extents_[a].first) <
            std::tie(extents_[b].nearest2, extents_[b].first);
@@ -71,6 +108,7 @@ void Clusterer::describe() {
     for (std::uint32_t i = 0; i < cluster.points.count; ++i) cluster.box.extend(points[i].position());
     cluster.centre = (cluster.box.min() + cluster.box.max()) / 2.f;
     cluster.polar = polar(cluster.centre.cast<double>());
+    if (params_.oriented_boxes) cluster.oriented_box = box_fitter_.fit(points, cluster.points.count);
   }
 }
 

@@ -9,10 +9,6 @@
 namespace field_fusion::core {
 namespace {
 
-/// Cells are a little smaller than epsilon / sqrt(3): rounding of places and distances (below 1e-6 of a
-/// cell) must never put two points into one cell that are not neighbours.
-double cellSide(float epsilon) { return double{epsilon} / std::sqrt(3.0) * (1.0 - 1e-5); }
-
 /// How many of n points are within sqrt(radius2) of (x, y, z); stops once `enough` are.
 std::uint32_t countNear(float x, float y, float z, const float* xs, const float* ys, const float* zs,
                         std::uint32_t n, float radius2, std::uint32_t enough) {
@@ -32,14 +28,31 @@ float gap(float a_low, float a_high, float b_low, float b_high) {
 
 }  // namespace
 
+// A little smaller than epsilon / sqrt(3): rounding of places and distances (below 1e-6 of a cell) must
+// never put two points into one cell that are not neighbours.
+double cellSide(float epsilon) { return double{epsilon} / std::sqrt(3.0) * (1.0 - 1e-5); }
+
 const std::vector<int>& Dbscan::run(const Cloud& cloud, float epsilon, int min_points) {
   if (!(epsilon >= 0.01f) || min_points < 1)
     throw std::invalid_argument("DBSCAN with epsilon " + std::to_string(epsilon) + " m and min_points " +
                                 std::to_string(min_points) + ": at least 0.01 m and 1 are needed");
   radius2_ = epsilon * epsilon;
-  grid_.build(cloud, cellSide(epsilon));
+  return label(cloud, cellSide(epsilon), static_cast<std::uint32_t>(min_points));
+}
+
+// PCL's search leaves out what lies exactly at the tolerance: the limit is the next float below.
+const std::vector<int>& Dbscan::runEuclidean(const Cloud& cloud, float tolerance) {
+  if (!(tolerance >= 0.01f))
+    throw std::invalid_argument("Euclidean clusters with tolerance " + std::to_string(tolerance) +
+                                " m: at least 0.01 m is needed");
+  radius2_ = std::nextafter(tolerance * tolerance, 0.f);
+  return label(cloud, cellSide(tolerance), 1);
+}
+
+const std::vector<int>& Dbscan::label(const Cloud& cloud, double side, std::uint32_t min_points) {
+  grid_.build(cloud, side);
   grid_.link();  // epsilon is just over sqrt(3) cells, so it ends within the second cell
-  markCores(static_cast<std::uint32_t>(min_points));
+  markCores(min_points);
   collectCores();
   joinCells();
   numberClusters();
@@ -105,22 +118,14 @@ void Dbscan::collectCores() {
   }
 }
 
-std::uint32_t Dbscan::root(std::uint32_t cell) {
-  while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
-  return cell;
-}
-
 void Dbscan::joinCells() {
   const auto count = static_cast<std::uint32_t>(grid_.cellCount());
-  parent_.resize(count);
+  sets_.reset(count);
   for (std::uint32_t a = 0; a < count; ++a) {
-    parent_[a] = a;
     if (core_start_[a] == core_start_[a + 1]) continue;
     for (const auto run : grid_.neighbours(a))
-      for (std::uint32_t b = run.first; b < std::min(run.last, a); ++b) {
-        const std::uint32_t root_a = root(a), root_b = root(b);
-        if (root_a != root_b && linked(a, b)) parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
-      }
+      for (std::uint32_t b = run.first; b < std::min(run.last, a); ++b)
+        if (sets_.root(a) != sets_.root(b) && linked(a, b)) sets_.join(a, b);
   }
 }
 
@@ -147,7 +152,8 @@ void Dbscan::numberClusters() {
   cluster_count_ = 0;
   for (std::uint32_t cell = 0; cell < grid_.cellCount(); ++cell) {
     if (core_start_[cell] == core_start_[cell + 1]) continue;
-    const std::uint32_t top = root(cell);  // the lowest cell of its cluster, so it has its label already
+    const std::uint32_t top =
+        sets_.root(cell);  // the lowest cell of its cluster, so it has its label already
     cell_label_[cell] = top == cell ? cluster_count_++ : cell_label_[top];
   }
 }

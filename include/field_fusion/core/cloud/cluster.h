@@ -1,5 +1,5 @@
 #pragma once
-// Points to bodies: DBSCAN and the box, range and azimuth of each cluster.
+// Points to bodies: clusters by one of several methods, and the boxes, range and azimuth of each.
 #include <cstdint>
 #include <vector>
 
@@ -7,20 +7,37 @@
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
 #include "field_fusion/core/cloud/dbscan.h"
+#include "field_fusion/core/cloud/dbscan_beta.h"
+#include "field_fusion/core/cloud/oriented_box.h"
+#include "field_fusion/core/cloud/range_image.h"
 
 namespace field_fusion::core {
 
+enum class ClusterMethod { kDbscan, kDbscanBeta, kRangeImage, kEuclidean };
+
 struct ClusterParams {
+  ClusterMethod method = ClusterMethod::kDbscan;
   double epsilon = 0.5;
+  double theta = 10.0;
   int min_points = 10;
   int max_points = 10000000;
+  bool oriented_boxes = true;
 
   void declare(Params& p) {
-    p.number("epsilon", epsilon, {0.01, 5.0}, "m", When::kLive, "Neighbourhood radius of DBSCAN.");
+    p.choice(
+        "method", method, {"dbscan", "dbscan_beta", "range_image", "euclidean"}, When::kLive,
+        "What makes points one cluster. dbscan: density. dbscan_beta: density, not across steps in depth "
+        "(paper 001). range_image: no step in depth from ray to ray. euclidean: nearness, as PCL.");
+    p.number("epsilon", epsilon, {0.01, 5.0}, "m", When::kLive,
+             "Neighbourhood radius; range_image: largest step in depth.");
+    p.number("theta", theta, {0.0, 89.0}, "deg", When::kLive,
+             "dbscan_beta, range_image: a smaller angle beta (paper 001 Eq. 7) is a step in depth.");
     p.number("min_points", min_points, {1, 1000}, "points", When::kLive,
-             "Points within epsilon, itself counted, that make a core point.");
+             "dbscan, dbscan_beta: neighbours, itself counted, that make a core point. Else: fewest of a "
+             "cluster.");
     p.number("max_points", max_points, {1, 10000000}, "points", When::kLive,
              "Larger clusters are left out and counted.");
+    p.flag("oriented_boxes", oriented_boxes, When::kLive, "Also fit a box turned about z to each cluster.");
   }
 };
 
@@ -31,6 +48,7 @@ struct Cluster {
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< [m] paper 001 Eq. 9
   Polar polar;                                       ///< of the centre; paper 001 Eqs. 10 and 11
   float nearest_range = 0;                           ///< [m] to the nearest point
+  OrientedBox oriented_box;                          ///< NaN without ClusterParams::oriented_boxes
 };
 
 struct Clusters {
@@ -58,15 +76,26 @@ class Clusterer {
     float nearest2 = 0.f;
   };
 
-  void measure(const Cloud& cloud, const std::vector<int>& sets, int set_count);
+  /// What a method found: the set of each point of the cloud, or kNoise.
+  struct Sets {
+    const std::vector<int>& labels;
+    int count;
+    std::size_t usable;
+  };
+
+  Sets separate(const Cloud& cloud);
+  void measure(const Cloud& cloud, const Sets& sets);
   void order();
   void fill(const Cloud& cloud, const std::vector<int>& sets);
   void describe();
 
   ClusterParams params_;
   Dbscan dbscan_;
-  std::vector<Extent> extents_;  // of each set of points that DBSCAN found
-  std::vector<int> kept_;        // sets that are not too large, in the order of the result
+  DbscanBeta dbscan_beta_;
+  RangeImage range_image_;
+  OrientedBoxFitter box_fitter_;
+  std::vector<Extent> extents_;  // of each set
+  std::vector<int> kept_;        // sets that are neither too small nor too large, in the order of the result
   std::vector<int> place_;       // of each set in the result, or kNoise
   Clusters result_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "field_fusion/core/cloud/cell_grid.h"
+#include "field_fusion/core/cloud/disjoint_sets.h"
 
 namespace field_fusion::core {
 
@@ -19,6 +20,9 @@ inline float squaredDistance(float ax, float ay, float az, float bx, float by, f
   return dx * dx + dy * dy + dz * dz;
 }
 
+/// [m] Side of the cells in which all points are neighbours of each other.
+double cellSide(float epsilon);
+
 /// Labels the points of a cloud. A point is core when at least `min_points` points, itself counted, are
 /// its neighbours; core points that are neighbours share a cluster; any other point with a core neighbour
 /// is a border point of its nearest core point's cluster (of two equally near, the one earlier in the
@@ -30,6 +34,10 @@ class Dbscan {
   /// Returns for each point its cluster 0, 1, ... (in no particular order) or kNoise.
   const std::vector<int>& run(const Cloud& cloud, float epsilon, int min_points);
 
+  /// Clusters in which every two points are linked by steps shorter than `tolerance` [m] >= 0.01: those of
+  /// pcl::EuclideanClusterExtraction, however few their points are.
+  const std::vector<int>& runEuclidean(const Cloud& cloud, float tolerance);
+
   int clusterCount() const { return cluster_count_; }
   std::size_t usableCount() const { return grid_.pointCount(); }
 
@@ -38,6 +46,7 @@ class Dbscan {
     std::array<float, 3> low, high;
   };
 
+  const std::vector<int>& label(const Cloud& cloud, double side, std::uint32_t min_points);
   void markCores(std::uint32_t min_points);
   void markCoresOf(std::size_t cell, std::uint32_t min_points);
   void collectCores();
@@ -46,7 +55,6 @@ class Dbscan {
   void numberClusters();
   void labelPoints(std::vector<int>& labels) const;
   int borderLabel(std::size_t cell, std::uint32_t point) const;
-  std::uint32_t root(std::uint32_t cell);
 
   CellGrid grid_;
   float radius2_ = 0.f;
@@ -54,8 +62,8 @@ class Dbscan {
   std::vector<std::uint32_t> core_start_;  // first core point of each cell in the lists below
   std::vector<float> core_x_, core_y_, core_z_;
   std::vector<std::uint32_t> core_index_;
-  std::vector<Box> core_box_;          // of each cell that has core points
-  std::vector<std::uint32_t> parent_;  // union-find over cells
+  std::vector<Box> core_box_;  // of each cell that has core points
+  DisjointSets sets_;          // of cells
   std::vector<int> cell_label_;
   std::vector<int> labels_;
   int cluster_count_ = 0;
