@@ -17,19 +17,17 @@ using namespace field_fusion;
 const cv::Size kImage(1280, 720), kInput(640, 640);
 
 /// A street's worth of output: 20 bodies, 12 anchors on each, over the faint scores of the rest.
-cv::Mat crowdedOutput(const core::YoloHead& head) {
-  const int shape[] = {1, 4 + head.classes, head.anchors};
+cv::Mat crowdedOutput(int classes, int anchors) {
+  const int shape[] = {1, 4 + classes, anchors};
   cv::Mat output(3, shape, CV_32F);
   cv::RNG random(1);
   random.fill(output, cv::RNG::UNIFORM, 0.0, 0.1);
-  auto element = [&](int row, int anchor) -> float& {
-    return output.ptr<float>()[row * head.anchors + anchor];
-  };
+  auto element = [&](int row, int anchor) -> float& { return output.ptr<float>()[row * anchors + anchor]; };
   for (int i = 0; i < 240; ++i) {
     const int anchor = i * 35, body = i / 12;
     const float box[] = {60.f + 130.f * float(body % 5), 180.f + 90.f * float(body / 5), 60.f, 70.f};
     for (int row = 0; row < 4; ++row) element(row, anchor) = box[row] + random.uniform(-3.f, 3.f);
-    element(4 + body % head.classes, anchor) = random.uniform(0.3f, 0.95f);
+    element(4 + body % classes, anchor) = random.uniform(0.3f, 0.95f);
   }
   return output;
 }
@@ -42,12 +40,11 @@ void measurePreAndPost(int repeats) {
   const auto pre = bench::costs(repeats, [&] { letterbox.apply(image, core::PixelOrder::kBgr); });
   bench::print("detect/pre_cost", bench::medianFigure(pre), "ms");
 
-  const core::YoloHead head{80, 8400};
-  const cv::Mat output = crowdedOutput(head);
-  core::YoloDecoder decoder(head);
+  const std::vector<cv::Mat> outputs{crowdedOutput(80, 8400)};
+  core::YoloDecoder decoder(core::yoloHead({{1, 84, 8400}}, kInput));
   std::size_t found = 0;
   const auto post = bench::costs(repeats, [&] {
-    found = decoder.decode(output, letterbox.fit(), core::YoloParams{}).detections.size();
+    found = decoder.decode(outputs, letterbox.fit(), core::YoloParams{}).detections.size();
   });
   std::printf("%zu detections from 240 candidates\n", found);
   bench::print("detect/post_cost", bench::medianFigure(post), "ms");

@@ -25,7 +25,7 @@ YoloDetector::YoloDetector(const OnnxFile& model, const std::string& class_file)
 
 const Detections& YoloDetector::detect(const cv::Mat& image, PixelOrder order, const YoloParams& params) {
   const std::vector<cv::Mat>& outputs = network_->run(letterbox_.apply(image, order));
-  return decoder_.decode(outputs.at(0), letterbox_.fit(), params);
+  return decoder_.decode(outputs, letterbox_.fit(), params);
 }
 
 }  // namespace field_fusion::core
