@@ -35,6 +35,12 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 
+# openvino.cmake, too, was read before catkin named the place of libraries
+if(TARGET field_fusion_openvino)
+  set_target_properties(field_fusion_openvino PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
+endif()
+
 include(cmake/scripts.cmake)
 include(cmake/install.cmake)
 if(CATKIN_ENABLE_TESTING)

@@ -1,6 +1,13 @@
 #include "field_fusion/ros/detect_task.h"
 
+#include <ros/console.h>
+
 namespace field_fusion {
+
+DetectTask::DetectTask(const core::DetectParams& params)
+    : detector_(core::readOnnxFile(params.model), params.class_file, params.inference) {
+  ROS_INFO_STREAM("the detector runs on " << detector_.backend());
+}
 
 DetectResult DetectTask::operator()(const DetectJob& job) {
   const auto view = viewOf(job.image);

@@ -26,8 +26,7 @@ struct DetectResult {
 class DetectTask {
  public:
   /// Throws std::runtime_error on a model or class file that cannot be used.
-  explicit DetectTask(const core::DetectParams& params)
-      : detector_(core::readOnnxFile(params.model), params.class_file) {}
+  explicit DetectTask(const core::DetectParams& params);
   DetectResult operator()(const DetectJob& job);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string loadFault(const std::string& model, const std::string& class_file = "") {
-  return test::faultOf([&] { YoloDetector(readOnnxFile(model), class_file); });
+  return test::faultOf([&] { YoloDetector(readOnnxFile(model), class_file, {Backend::kOpenCv, 0}); });
 }
 
 // The fixture's score in class 0 is the mean of red, in class 1 of green; see models/make_fixtures.py.
