@@ -62,7 +62,7 @@ TEST_F(OpenVino, FindsWhatOpenCvFinds) {
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t d = 0; d < found.size(); ++d) {
         EXPECT_EQ(found[d].class_id, expected[d].class_id);
-        EXPECT_NEAR(found[d].score, expected[d].score, 1e-4)  // bf16 would be off by more;
+        EXPECT_NEAR(found[d].score, expected[d].score, 1e-4);  // bf16 would be off by more
         EXPECT_NEAR(found[d].box.x_min, expected[d].box.x_min, 1e-3);
         EXPECT_NEAR(found[d].box.y_max, expected[d].box.y_max, 1e-3);
       }
