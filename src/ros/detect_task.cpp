@@ -14,7 +14,7 @@ DetectResult DetectTask::operator()(const DetectJob& job) {
   const auto& found = detector_.detect(view.pixels, view.order, job.params->yolo);
   DetectResult result;
   result.detections = detectionMessage(job.image->header, view.pixels.size(), found, detector_.classNames(),
-                                       job.camera.get(), job.params->range);
+                                       job.camera.get(), job.ground, job.params->range);
   if (job.annotate) result.annotated = annotated(view, *result.detections);
   return result;
 }

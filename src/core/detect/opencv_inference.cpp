@@ -12,7 +12,9 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const char* action, const cv::Exception& error) {
   std::string reason = error.what();  // names the node; spread over several lines
   std::replace(reason.begin(), reason.end(), '\n', ' ');
-  throw std::runtime_error("model '" + path + "': OpenCV cannot " + action + " it: " + reason);
+  throw std::runtime_error(
+      "model '" + path + "': OpenCV cannot " + action + " it: " + reason +
+      " (of stock Ultralytics exports models/prepare_onnx.py mends what OpenCV refuses)");
 }
 
 class OpenCvInference : public Inference {

@@ -82,6 +82,7 @@ TEST(YoloDetector, SaysWhatOpenCvCouldNotImport) {
   const std::string fault = loadFault(detectFixture("unknown_operator.onnx"));
   EXPECT_TRUE(test::says(fault, "unknown_operator.onnx': OpenCV cannot import it: OpenCV(" CV_VERSION ")"));
   EXPECT_TRUE(test::says(fault, "NoSuchOperator"));
+  EXPECT_TRUE(test::says(fault, "models/prepare_onnx.py"));
 }
 
 TEST(YoloDetector, RefusesAModelWithoutNodes) {
