@@ -9,6 +9,8 @@
 namespace field_fusion::core {
 namespace {
 
+constexpr char kLibrary[] = "libfield_fusion_openvino.so";
+
 /// Never closed: the code of the networks that it made lies in it.
 OpenVinoFactory* factoryOf(const std::string& library) {
   std::error_code error;
@@ -28,7 +30,11 @@ std::string openVinoLibrary() {
   Dl_info here{};
   dladdr(reinterpret_cast<const void*>(&openVinoLibrary), &here);
   const std::filesystem::path holder = std::filesystem::absolute(here.dli_fname ? here.dli_fname : "");
-  return holder.parent_path() / "libfield_fusion_openvino.so";
+  const std::filesystem::path beside = holder.parent_path() / kLibrary;
+  const std::filesystem::path above = holder.parent_path().parent_path() / kLibrary;
+  std::error_code error;
+  const bool is_above = !std::filesystem::exists(beside, error) && std::filesystem::exists(above, error);
+  return is_above ? above : beside;  // catkin puts programs in lib/PACKAGE
 }
 
 std::unique_ptr<Inference> loadOpenVino(const std::string& library, const OnnxFile& model, int threads) {

@@ -44,8 +44,8 @@ struct LoadedNetwork {
       output_shapes;  ///< from a run on a black image: a model that cannot run fails
 };
 
-/// The file that holds the OpenVINO backend: beside the library or program that holds this code. It need
-/// not be there.
+/// The file that holds the OpenVINO backend: beside the library or program that holds this code, or one
+/// folder above. It need not be there.
 std::string openVinoLibrary();
 
 /// Throws std::runtime_error that names the file and what the backend could not import or run, or what is
