@@ -35,11 +35,11 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 
-# openvino.cmake, too, was read before catkin named the place of libraries
-if(TARGET field_fusion_openvino)
-  set_target_properties(field_fusion_openvino PROPERTIES
+# these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
+foreach(library field_fusion_core ${run_time_libraries})
+  set_target_properties(${library} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
-endif()
+endforeach()
 
 include(cmake/scripts.cmake)
 include(cmake/install.cmake)
