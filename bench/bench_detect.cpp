@@ -1,7 +1,9 @@
 // What the detector costs for one frame, its three parts apart. Pre- and post-processing are measured on
-// one thread of OpenCV, on made-up data; the network needs FIELD_FUSION_DATA and runs on all cores.
+// one thread of OpenCV, on made-up data; the network, with each backend on 1 and 2 threads, is the file
+// that the argument names, or one in FIELD_FUSION_DATA.
 #include <chrono>
 #include <cstdlib>
+#include <stdexcept>
 
 #include <opencv2/core.hpp>
 
@@ -17,19 +19,17 @@ using namespace field_fusion;
 const cv::Size kImage(1280, 720), kInput(640, 640);
 
 /// A street's worth of output: 20 bodies, 12 anchors on each, over the faint scores of the rest.
-cv::Mat crowdedOutput(const core::YoloHead& head) {
-  const int shape[] = {1, 4 + head.classes, head.anchors};
+cv::Mat crowdedOutput(int classes, int anchors) {
+  const int shape[] = {1, 4 + classes, anchors};
   cv::Mat output(3, shape, CV_32F);
   cv::RNG random(1);
   random.fill(output, cv::RNG::UNIFORM, 0.0, 0.1);
-  auto element = [&](int row, int anchor) -> float& {
-    return output.ptr<float>()[row * head.anchors + anchor];
-  };
+  auto element = [&](int row, int anchor) -> float& { return output.ptr<float>()[row * anchors + anchor]; };
   for (int i = 0; i < 240; ++i) {
     const int anchor = i * 35, body = i / 12;
     const float box[] = {60.f + 130.f * float(body % 5), 180.f + 90.f * float(body / 5), 60.f, 70.f};
     for (int row = 0; row < 4; ++row) element(row, anchor) = box[row] + random.uniform(-3.f, 3.f);
-    element(4 + body % head.classes, anchor) = random.uniform(0.3f, 0.95f);
+    element(4 + body % classes, anchor) = random.uniform(0.3f, 0.95f);
   }
   return output;
 }
@@ -42,12 +42,11 @@ void measurePreAndPost(int repeats) {
   const auto pre = bench::costs(repeats, [&] { letterbox.apply(image, core::PixelOrder::kBgr); });
   bench::print("detect/pre_cost", bench::medianFigure(pre), "ms");
 
-  const core::YoloHead head{80, 8400};
-  const cv::Mat output = crowdedOutput(head);
-  core::YoloDecoder decoder(head);
+  const std::vector<cv::Mat> outputs{crowdedOutput(80, 8400)};
+  core::YoloDecoder decoder(core::yoloHead({{1, 84, 8400}}, kInput));
   std::size_t found = 0;
   const auto post = bench::costs(repeats, [&] {
-    found = decoder.decode(output, letterbox.fit(), core::YoloParams{}).detections.size();
+    found = decoder.decode(outputs, letterbox.fit(), core::YoloParams{}).detections.size();
   });
   std::printf("%zu detections from 240 candidates\n", found);
   bench::print("detect/post_cost", bench::medianFigure(post), "ms");
@@ -55,31 +54,41 @@ void measurePreAndPost(int repeats) {
 }
 
 /// Wall time: the network's threads are not the caller's.
-void measureNetwork(const std::string& path, int repeats) {
-  const auto network = core::makeInference(core::readOnnxFile(path));
-  core::Letterbox letterbox(network->inputSize());
+void measureNetwork(const core::OnnxFile& model, core::Backend backend, const std::string& name, int threads,
+                    int repeats) {
+  const auto loaded = core::loadNetwork(model, {backend, threads});
+  core::Letterbox letterbox(loaded.input_size);
   const cv::Mat& input =
       letterbox.apply(cv::Mat(kImage, CV_8UC3, cv::Scalar(30, 90, 150)), core::PixelOrder::kBgr);
   std::vector<double> costs;
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    network->run(input);
+    loaded.network->run(input);
     costs.push_back(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
-  std::printf("OpenCV %s, %d threads, %dx%d\n", CV_VERSION, cv::getNumThreads(), input.size[3],
-              input.size[2]);
-  bench::print("detect/opencv/cost", bench::medianFigure(costs), "ms");
+  std::printf("%s, %d threads, %dx%d\n", loaded.backend.c_str(), threads, input.size[3], input.size[2]);
+  bench::print("detect/" + name + "/cost" + (threads == 1 ? "_1_thread" : ""), bench::medianFigure(costs),
+               "ms");
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   measurePreAndPost(200);
   const char* data = std::getenv("FIELD_FUSION_DATA");
-  if (!data) {
-    std::puts("network not measured: FIELD_FUSION_DATA is not set");
+  if (argc < 2 && !data) {
+    std::puts("network not measured: no model named, and FIELD_FUSION_DATA is not set");
     return 0;
   }
-  measureNetwork(std::string(data) + "/yolov8n_coco/yolov8n_deq_fp32.onnx", 30);
+  const auto model =
+      core::readOnnxFile(argc > 1 ? argv[1] : std::string(data) + "/yolov8n_coco/yolov8n_deq_fp32.onnx");
+  for (const int threads : {1, 2}) {
+    measureNetwork(model, core::Backend::kOpenCv, "opencv", threads, 30);
+    try {
+      measureNetwork(model, core::Backend::kOpenVino, "openvino", threads, 30);
+    } catch (const std::runtime_error& fault) {
+      std::printf("OpenVINO not measured: %s\n", fault.what());
+    }
+  }
 }

@@ -9,7 +9,7 @@ file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS src/core/*.cpp)
 add_library(field_fusion_core ${core_sources})
 target_include_directories(field_fusion_core PUBLIC include)
 target_include_directories(field_fusion_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS} ${OpenCV_INCLUDE_DIRS})
-target_link_libraries(field_fusion_core PUBLIC Eigen3::Eigen ${OpenCV_LIBS} ${PCL_LIBRARIES} yaml-cpp Threads::Threads)
+target_link_libraries(field_fusion_core PUBLIC Eigen3::Eigen ${OpenCV_LIBS} ${PCL_LIBRARIES} yaml-cpp Threads::Threads ${CMAKE_DL_LIBS})
 
 file(GLOB_RECURSE core_test_sources CONFIGURE_DEPENDS test/core/*_test.cpp)
 add_library(core_test_support INTERFACE)

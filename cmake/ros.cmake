@@ -35,6 +35,12 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 
+# these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
+foreach(library field_fusion_core ${run_time_libraries})
+  set_target_properties(${library} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
+endforeach()
+
 include(cmake/scripts.cmake)
 include(cmake/install.cmake)
 if(CATKIN_ENABLE_TESTING)

@@ -1,9 +1,9 @@
-// image, camera_info -> [YOLOv8, bearing, monocular range] -> detections, annotated_image
+// image, camera_info, ground_plane -> [YOLOv8, bearing, monocular range] -> detections, annotated_image
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/ros/camera_feed.h"
 #include "field_fusion/ros/detect_task.h"
-#include "field_fusion/ros/latest_worker.h"
+#include "field_fusion/ros/ground_feed.h"
 #include "field_fusion/ros/stage.h"
 
 namespace field_fusion {
@@ -12,26 +12,26 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
   void onStart() override {
     onParams();
     task_ = std::make_unique<DetectTask>(params());
-    worker_ = std::make_unique<LatestWorker<DetectJob>>([this](DetectJob&& job) { work(job); }, kNiceness);
+    worker_ = std::make_unique<DetectWorker>([this](DetectJob&& job) { work(job); }, kDetectNiceness);
     detections_ = output<ImageDetectionArray>("detections");
     annotated_ = output<sensor_msgs::Image>("annotated_image");
     info_ = &input<sensor_msgs::CameraInfo>("camera_info", [this](const auto& info) { camera_.add(*info); });
-    const auto ready = [this](const auto& image) { return camera_.ready(image.header.stamp); };
-    image_ = &imageInput(
-        "image", [this](const auto& image) { onImage(image); }, ready);
-    image_->deferred = true;
+    plane_ = &input<GroundPlane>("ground_plane", [this](const auto& plane) { ground_.add(plane); });
+    const auto take = [this](const auto& image) { onImage(image); };
+    image_ = &imageInput("image", take, [this](const auto& i) { return camera_.ready(i.header.stamp); });
+    plane_->optional = image_->deferred = true;
   }
 
   void onParams() override { settings_ = std::make_shared<const core::DetectParams>(params()); }
-  void onTimeJump() override { worker_->clear(), camera_.reset(); }
+  void onTimeJump() override { worker_->clear(), camera_.reset(), ground_.reset(); }
 
   void onImage(const sensor_msgs::Image::ConstPtr& image) {
-    std::string no_camera;
+    std::string no_camera, no_ground;  // the image is good: its boxes go out with what is known
     const auto camera = camera_.modelFor(*image, no_camera);
-    // the image is good: its boxes go out without bearing
+    const auto ground = ground_.planeFor(image->header, tf(), params().range.plane_max_age, no_ground);
     if (!camera) fault(*info_, image->header.stamp, no_camera);
-    if (worker_->offer({image, camera, settings_, ros::WallTime::now(), !annotated_.unwanted()}))
-      ++image_->skipped;
+    if (!no_ground.empty()) fault(*plane_, image->header.stamp, no_ground);
+    if (worker_->offer({image, camera, ground, settings_, !annotated_.unwanted()})) ++image_->skipped;
   }
 
   void work(const DetectJob& job) {
@@ -43,14 +43,14 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
         });
   }
 
-  static constexpr int kNiceness = 5;  // behind the LiDAR chain
   Output<ImageDetectionArray> detections_;
   Output<sensor_msgs::Image> annotated_;
-  InputPort *image_ = nullptr, *info_ = nullptr;
+  InputPort *image_ = nullptr, *info_ = nullptr, *plane_ = nullptr;
   CameraFeed camera_;
+  GroundFeed ground_;
   std::shared_ptr<const core::DetectParams> settings_;
   std::unique_ptr<DetectTask> task_;
-  std::unique_ptr<LatestWorker<DetectJob>> worker_;  // last: its thread uses all of the above
+  std::unique_ptr<DetectWorker> worker_;  // last: its thread uses all of the above
 };
 using DetectStage = Unloadable<DetectNodelet>;
 

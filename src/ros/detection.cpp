@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_fusion/core/detect/ground_range.h"
+
 namespace field_fusion {
 namespace {
 
 namespace encoding = sensor_msgs::image_encodings;
 
 void setBearingAndRange(ImageDetection& out, const core::Detection& detection, double input_scale,
-                        const CameraModel& camera, const core::RangeParams& params) {
+                        const CameraModel& camera, const core::Plane& ground,
+                        const core::RangeParams& params) {
   const auto pinhole = camera.pinhole();
   const auto box = camera.rectified(detection.box);
   const auto middle = box.centre();
@@ -23,12 +26,17 @@ void setBearingAndRange(ImageDetection& out, const core::Detection& detection, d
   out.ray.z = bearing.ray.z();
   out.azimuth = static_cast<float>(bearing.azimuth);
   out.elevation = static_cast<float>(bearing.elevation);
-  const auto range = core::rangeFromHeight(out.label, box, detection.cut, input_scale, pinhole, params);
+  const auto by_height = core::rangeFromHeight(out.label, box, detection.cut, input_scale, pinhole, params);
+  const auto by_ground = core::rangeFromGround(box, detection.cut, input_scale, pinhole, ground, params);
+  const auto range = core::combined(by_height, by_ground);
   out.depth = static_cast<float>(range.depth);
   out.range = static_cast<float>(range.range);
   out.range_sigma = static_cast<float>(range.sigma);
-  if (std::isfinite(range.range)) out.range_source = ImageDetection::RANGE_FROM_HEIGHT;
+  if (std::isfinite(by_height.range)) out.range_source |= ImageDetection::RANGE_FROM_HEIGHT;
+  if (std::isfinite(by_ground.range)) out.range_source |= ImageDetection::RANGE_FROM_GROUND;
 }
+static_assert((ImageDetection::RANGE_FROM_HEIGHT | ImageDetection::RANGE_FROM_GROUND) ==
+              ImageDetection::RANGE_FROM_BOTH);
 
 ImageDetection unknownInSpace() {
   ImageDetection out;
@@ -95,7 +103,7 @@ ImageView viewOf(const sensor_msgs::Image::ConstPtr& image) try {
 boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& header, cv::Size image,
                                                         const core::Detections& detections,
                                                         const std::vector<std::string>& class_names,
-                                                        const CameraModel* camera,
+                                                        const CameraModel* camera, const core::Plane& ground,
                                                         const core::RangeParams& params) {
   auto out = boost::make_shared<ImageDetectionArray>();
   out->header = header;
@@ -112,7 +120,7 @@ boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& 
     d.x_max = detection.box.x_max;
     d.y_max = detection.box.y_max;
     d.cut = detection.cut;
-    if (camera) setBearingAndRange(d, detection, detections.input_scale, *camera, params);
+    if (camera) setBearingAndRange(d, detection, detections.input_scale, *camera, ground, params);
     out->detections.push_back(std::move(d));
   }
   return out;

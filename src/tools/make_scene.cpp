@@ -115,7 +115,7 @@ class Recorder {
     const sensor_msgs::CameraInfo info = cameraInfo(camera, camera_.pinhole, camera_.size);
     const CameraModel model(info);
     const auto detections = detectionMessage(camera, camera_.size, detect(scene_, picture, random_), kClasses,
-                                             &model, core::RangeParams());
+                                             &model, core::Plane(), core::RangeParams());
     bag_.write("/image_raw", *cv_bridge::CvImage(camera, "bgr8", picture.image).toImageMsg());
     bag_.write("/camera_info", info);
     bag_.write("/detections", *detections);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_fusion/GroundPlane.h"
 #include "field_fusion/ImageDetectionArray.h"
 #include "support/stage_probe.h"
 
@@ -72,6 +73,7 @@ class DetectStage : public testing::Test {
   Received<ImageDetectionArray> detections_{"detections"};
   Sender<sensor_msgs::Image> image_{"image"};
   Sender<sensor_msgs::CameraInfo> info_{"camera_info"};
+  Sender<GroundPlane> ground_{"ground_plane"};
   Diagnostics diagnostics_;
 };
 
@@ -95,6 +97,29 @@ TEST_F(DetectStage, BoxBearingAndRangeAreThoseComputedByHand) {
   EXPECT_NEAR(d.range, d.depth * std::sqrt(1.0 + 2.0 * std::pow(7.5 / 20.0, 2)), 1e-4);
   EXPECT_EQ(d.range_source, ImageDetection::RANGE_FROM_HEIGHT);
   EXPECT_GT(d.range_sigma, 0.f);
+}
+
+// A ground 1 m below the camera: the bottom edge, 11.5 px below the axis, meets it 20 / 11.5 m ahead.
+TEST_F(DetectStage, GroundPlaneGivesASecondRange) {
+  ASSERT_TRUE(spinUntil([this] { return ground_.connected(); }));
+  const auto from_both = [this] {
+    return detections_.last && !detections_.last->detections.empty() &&
+           detections_.last->detections[0].range_source == ImageDetection::RANGE_FROM_BOTH;
+  };
+  EXPECT_TRUE(spinUntil(from_both, [this] {
+    const auto image = redImage(next());
+    GroundPlane ground;
+    ground.header = image.header;
+    ground.found = true;
+    ground.normal.y = -1.0;
+    ground.height = 1.0;
+    ground_.send(ground);
+    info_.send(infoFor(image));
+    image_.send(image);
+  }));
+  const auto& d = detections_.last->detections.at(0);
+  EXPECT_GT(d.depth, 20.0 / 11.5);
+  EXPECT_LT(d.depth, 20.0 * 1.0 / 8.0);
 }
 
 TEST_F(DetectStage, ImageWithoutAnythingGivesAnEmptyArray) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "field_fusion/ros/detection.h"
+#include "field_fusion/ros/latest_worker.h"
 
 namespace field_fusion {
 
@@ -12,10 +13,15 @@ namespace field_fusion {
 struct DetectJob {
   sensor_msgs::Image::ConstPtr image;
   std::shared_ptr<const CameraModel> camera;  ///< null: no bearing, no range
+  core::Plane ground;                         ///< in the optical frame; NaN: unknown
   std::shared_ptr<const core::DetectParams> params;
-  ros::WallTime arrival;
   bool annotate = false;
+  ros::WallTime arrival = ros::WallTime::now();
 };
+
+/// Its thread stays behind the LiDAR chain.
+using DetectWorker = LatestWorker<DetectJob>;
+constexpr int kDetectNiceness = 5;
 
 struct DetectResult {
   boost::shared_ptr<ImageDetectionArray> detections;
@@ -26,8 +32,7 @@ struct DetectResult {
 class DetectTask {
  public:
   /// Throws std::runtime_error on a model or class file that cannot be used.
-  explicit DetectTask(const core::DetectParams& params)
-      : detector_(core::readOnnxFile(params.model), params.class_file) {}
+  explicit DetectTask(const core::DetectParams& params);
   DetectResult operator()(const DetectJob& job);
 
  private:

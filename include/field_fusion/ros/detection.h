@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "field_fusion/ImageDetectionArray.h"
+#include "field_fusion/core/cloud/plane.h"
 #include "field_fusion/core/detect/letterbox.h"
 #include "field_fusion/core/detect/yolo_detector.h"
 #include "field_fusion/ros/camera_model.h"
@@ -24,11 +25,12 @@ struct ImageView {
 /// "image ...: details" for any other encoding and for sizes that disagree with the data.
 ImageView viewOf(const sensor_msgs::Image::ConstPtr& image);
 
-/// Detections with bearing (paper 001 Eqs. 4-6) and range (Eq. 3); both NaN where `camera` is null.
+/// Detections with bearing (paper 001 Eqs. 4-6) and range (Eq. 3, and from `ground`, a plane in the camera's
+/// optical frame that may be NaN); both NaN where `camera` is null.
 boost::shared_ptr<ImageDetectionArray> detectionMessage(const std_msgs::Header& header, cv::Size image,
                                                         const core::Detections& detections,
                                                         const std::vector<std::string>& class_names,
-                                                        const CameraModel* camera,
+                                                        const CameraModel* camera, const core::Plane& ground,
                                                         const core::RangeParams& params);
 
 /// A bgr8 copy of the image with each detection's box, class, score, range and azimuth.

@@ -20,6 +20,7 @@ MonoRange rangeFromHeight(const std::string& label, const ImageBox& box, std::ui
   result.depth = camera.fy * height->second / pixels;
   result.range = result.depth / bearing(box.centre(), camera).ray.z();
   result.sigma = result.range * std::hypot(height_error / pixels, spread);
+  result.edge = result.range * params.box_pixel_error / input_scale / pixels;
   return std::isfinite(result.sigma) ? result : MonoRange{};
 }
 

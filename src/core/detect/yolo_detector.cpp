@@ -7,9 +7,9 @@
 namespace field_fusion::core {
 namespace {
 
-YoloHead headOf(const OnnxFile& model, const Inference& network) {
+YoloHead headOf(const OnnxFile& model, const LoadedNetwork& loaded) {
   try {
-    return yoloHead(network.outputShapes(), network.inputSize());
+    return yoloHead(loaded.output_shapes, loaded.input_size);
   } catch (const std::runtime_error& fault) {
     throw std::runtime_error("model '" + model.path + "': " + fault.what());
   }
@@ -17,15 +17,18 @@ YoloHead headOf(const OnnxFile& model, const Inference& network) {
 
 }  // namespace
 
-YoloDetector::YoloDetector(const OnnxFile& model, const std::string& class_file)
-    : network_(makeInference(model)), letterbox_(network_->inputSize()), decoder_(headOf(model, *network_)) {
+YoloDetector::YoloDetector(const OnnxFile& model, const std::string& class_file,
+                           const InferenceParams& inference)
+    : loaded_(loadNetwork(model, inference)),
+      letterbox_(loaded_.input_size),
+      decoder_(headOf(model, loaded_)) {
   const int classes = decoder_.head().classes;
   class_names_ = class_file.empty() ? classNamesOf(model, classes) : readClassNames(class_file, classes);
 }
 
 const Detections& YoloDetector::detect(const cv::Mat& image, PixelOrder order, const YoloParams& params) {
-  const std::vector<cv::Mat>& outputs = network_->run(letterbox_.apply(image, order));
-  return decoder_.decode(outputs.at(0), letterbox_.fit(), params);
+  const std::vector<cv::Mat>& outputs = loaded_.network->run(letterbox_.apply(image, order));
+  return decoder_.decode(outputs, letterbox_.fit(), params);
 }
 
 }  // namespace field_fusion::core

@@ -19,6 +19,9 @@ struct RangeParams {
   double height_spread = 0.1;
   Table class_height_spreads{{"truck", 0.3}, {"boat", 0.6}, {"dog", 0.3}};
   double box_pixel_error = 1.5;
+  double plane_tilt_sigma = 0.5;
+  double plane_height_sigma = 0.05;
+  double plane_max_age = 0.5;
 
   void declare(Params& p) {
     p.number("class_heights", class_heights, {0.01, 100.0}, "m", When::kStart,
@@ -29,6 +32,13 @@ struct RangeParams {
              "height_spread of single classes that vary more or less than the rest.");
     p.number("box_pixel_error", box_pixel_error, {0.01, 100.0}, "px", When::kLive,
              "Standard deviation of one edge of a box, in pixels of the model's input.");
+    p.number("plane_tilt_sigma", plane_tilt_sigma, {0.01, 45.0}, "deg", When::kLive,
+             "Standard deviation of the ground's direction in the camera's frame: fit, mounting, pitching, "
+             "shape.");
+    p.number("plane_height_sigma", plane_height_sigma, {0.0, 10.0}, "m", When::kLive,
+             "Standard deviation of the camera's height above the ground where the body stands.");
+    p.number("plane_max_age", plane_max_age, {0.0, 60.0}, "s", When::kLive,
+             "A ground plane whose stamp differs more from the image's is not used.");
   }
 };
 
@@ -37,6 +47,7 @@ struct MonoRange {
   double depth = kNaN;  ///< [m] along the optical axis
   double range = kNaN;  ///< [m] along the ray through the box centre
   double sigma = kNaN;  ///< [m] standard deviation of range
+  double edge = kNaN;   ///< [m] the part of sigma that comes from the box's bottom edge
 };
 
 /// Paper 001 Eq. 3. Its F * h_i / H_s (focal length, image height in pixels, sensor height) is the

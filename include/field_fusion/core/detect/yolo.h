@@ -1,6 +1,6 @@
 #pragma once
-// From the output of a YOLOv8 detection network to detections in the image.
-#include <string>
+// From the outputs of a YOLOv8 detection network to detections in the image.
+#include <utility>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -8,6 +8,7 @@
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/detect/image_box.h"
 #include "field_fusion/core/detect/letterbox.h"
+#include "field_fusion/core/detect/yolo_head.h"
 
 namespace field_fusion::core {
 
@@ -35,33 +36,25 @@ struct Detections {
   double input_scale = 1.0;           ///< pixels of the model's input for one pixel of the image
 };
 
-/// Layout of the stock head, one output 1x(4 + classes)xanchors: rows cx, cy, w, h [px of the
-/// input], then the classes' scores 0..1.
-struct YoloHead {
-  int classes = 0, anchors = 0;
-};
-
-/// Throws std::runtime_error with the shapes where they are not those of a stock head over strides
-/// 8, 16 and 32.
-YoloHead yoloHead(const std::vector<std::vector<int>>& output_shapes, cv::Size input);
-
 /// Decodes outputs of one head; keeps its buffers from call to call.
 class YoloDecoder {
  public:
-  explicit YoloDecoder(const YoloHead& head) : head_(head) {}
+  explicit YoloDecoder(YoloHead head) : head_(std::move(head)) {}
   const YoloHead& head() const { return head_; }
 
-  /// `output`: continuous float32 of the head's shape. The result holds until the next call.
-  const Detections& decode(const cv::Mat& output, const LetterboxFit& fit, const YoloParams& params);
+  /// `outputs`: continuous float32 of the head's shapes. The result holds until the next call.
+  const Detections& decode(const std::vector<cv::Mat>& outputs, const LetterboxFit& fit,
+                           const YoloParams& params);
 
  private:
-  void scanScores(const float* scores);
-  void addCandidate(const float* output, int anchor, const LetterboxFit& fit);
+  const float* dataOf(const YoloMap& map, const std::vector<cv::Mat>& outputs) const;
+  void scanScores(const YoloMap& map, const float* data);
+  void addCandidate(const YoloMap& map, const float* data, int cell, float score, const LetterboxFit& fit);
 
   YoloHead head_;
   Detections result_;
-  std::vector<float> best_;   // highest score of each anchor
-  std::vector<float> total_;  // sum of scores of each anchor: shows a NaN or Inf in any of them
+  std::vector<float> best_;   // highest score of each cell of one map, as the network gives it
+  std::vector<float> total_;  // sum of scores of each cell: shows a NaN or Inf in any of them
 };
 
 /// Greedy non-maximum suppression for each class. In: any order. Out: best first (equal scores by

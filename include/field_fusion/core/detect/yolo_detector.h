@@ -15,6 +15,7 @@ namespace field_fusion::core {
 struct DetectParams {
   std::string model;
   std::string class_file;
+  InferenceParams inference;
   YoloParams yolo;
   RangeParams range;
 
@@ -22,6 +23,7 @@ struct DetectParams {
     p.text("model", model, When::kStart, "ONNX file of a YOLOv8 detection model.");
     p.text("class_file", class_file, When::kStart,
            "Names of the classes: one a line, or a YAML file with 'names'. Empty: those in the model file.");
+    inference.declare(p);
     yolo.declare(p);
     range.declare(p);
   }
@@ -32,17 +34,19 @@ class YoloDetector {
  public:
   /// Throws std::runtime_error that names the file and the fault. The model is run once, to know that it can.
   /// `class_file` may be empty: the names in the model file count then.
-  YoloDetector(const OnnxFile& model, const std::string& class_file);
+  YoloDetector(const OnnxFile& model, const std::string& class_file, const InferenceParams& inference = {});
 
   /// The result holds until the next call. std::invalid_argument for an image that Letterbox
   /// refuses; std::runtime_error where the network fails.
   const Detections& detect(const cv::Mat& image, PixelOrder order, const YoloParams& params);
 
+  /// What runs the network, and why not another backend: a line for people.
+  const std::string& backend() const { return loaded_.backend; }
   /// By class_id.
   const std::vector<std::string>& classNames() const { return class_names_; }
 
  private:
-  std::unique_ptr<Inference> network_;
+  LoadedNetwork loaded_;
   std::vector<std::string> class_names_;
   Letterbox letterbox_;
   YoloDecoder decoder_;
