@@ -41,7 +41,7 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
 std::string worry(const InputPort& port, double timeout) {
   if (port.faults.age() < kFaultShown) return port.topic + " dropped, " + port.faults.last();
   const double silent = (ros::WallTime::now() - port.last_arrival).toSec();
-  if (silent < timeout) return "";
+  if (port.optional || silent < timeout) return "";
   std::ostringstream out;
   out.precision(2);
   out << (port.received == 0 ? "waiting for " : "nothing new on ") << port.topic << " for " << std::fixed
