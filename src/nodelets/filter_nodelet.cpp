@@ -11,7 +11,6 @@ namespace field_fusion {
 
 class FilterNodelet : public StageNodelet<FilterStageParams> {
   void onStart() override {
-    if (!params().box_frame.empty()) tf();  // listens from now on
     onParams();
     kept_ = output<CloudMessage>("points_filtered");
     input<CloudMessage>(

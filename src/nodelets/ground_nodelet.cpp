@@ -11,7 +11,6 @@ namespace field_fusion {
 
 class GroundNodelet : public StageNodelet<GroundStageParams> {
   void onStart() override {
-    if (!params().up_frame.empty()) tf();  // listens from now on
     onParams();
     obstacle_ = output<CloudMessage>("points_obstacle");
     ground_ = output<CloudMessage>("points_ground");

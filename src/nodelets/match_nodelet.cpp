@@ -9,7 +9,6 @@ namespace field_fusion {
 
 class MatchNodelet : public StageNodelet<core::MatchParams> {
   void onStart() override {
-    tf();  // listens from now on
     onParams();
     sync_ = std::make_unique<PairSync>(params().sync);
     obstacles_ = output<ObstacleArray>("obstacles");

@@ -46,6 +46,7 @@ void Stage::start() {
   declare(declared_);
   stage_params_.declare(declared_);
   loadParams(getPrivateNodeHandle(), declared_);
+  tf_ = TfCache::shared();  // listens from now on, so that the first message finds its transform
   onStart();
   reconfigure_ =
       std::make_unique<Reconfigure>(getPrivateNodeHandle(), declared_, mutex_, [this] { onParams(); });
@@ -91,11 +92,6 @@ ros::WallTimer Stage::every(double seconds, std::function<void()> work) {
   };
   timers_.push_back(getNodeHandle().createWallTimer(ros::WallDuration(seconds), turn));
   return timers_.back();
-}
-
-TfCache& Stage::tf() {
-  if (!tf_) tf_ = TfCache::shared();
-  return *tf_;
 }
 
 void Stage::onSubscribersChanged() try {
@@ -185,7 +181,7 @@ void Stage::jump(InputPort& port, const ros::Time& stamp) {
   for (auto& other : inputs_)
     if (&other != &port) other.order.reset();  // they follow, and the state is cleared only once
   held_.clear();
-  if (tf_) tf_->onTimeJump();
+  tf_->onTimeJump();
   onTimeJump();
 }
 

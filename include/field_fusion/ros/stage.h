@@ -102,7 +102,8 @@ class Stage : public nodelet::Nodelet {
     if (!stopped_ && attempt(port, stamp, rest)) count(port, arrival);
   }
 
-  TfCache& tf();
+  /// The buffer that all stages of the process share.
+  TfCache& tf() { return *tf_; }
 
  private:
   struct Arrival {
