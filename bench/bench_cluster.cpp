@@ -20,6 +20,7 @@ constexpr int kRepeats = 41;
 
 core::ClusterParams benchParams() {
   core::ClusterParams params;
+  params.method = core::ClusterMethod::kDbscan;
   params.epsilon = 0.5;
   params.min_points = 10;
   params.max_points = 10000000;
@@ -80,6 +81,7 @@ void methods(const core::Cloud& cloud) {
     std::printf("%zu clusters of %s\n", clusterer.run(cloud).clusters.size(), name);
     bench::print(std::string("cluster/") + name + "/cost", bench::medianFigure(cost), "ms");
   };
+  measure("adaptive", ClusterMethod::kAdaptive);
   measure("dbscan_beta", ClusterMethod::kDbscanBeta);
   measure("range_image", ClusterMethod::kRangeImage);
   measure("euclidean", ClusterMethod::kEuclidean);

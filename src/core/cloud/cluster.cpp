@@ -4,6 +4,12 @@
 #include <tuple>
 
 namespace field_fusion::core {
+namespace {
+
+// Points that tell the farthest things from stray returns with the method `adaptive`.
+constexpr int kFewest = 4;
+
+}  // namespace
 
 const Clusters& Clusterer::run(const Cloud& cloud) {
   const Sets sets = separate(cloud);
@@ -34,11 +40,42 @@ Clusterer::Sets Clusterer::separate(const Cloud& cloud) {
       const auto& labels = dbscan_.runEuclidean(cloud, epsilon);
       return sets(dbscan_, labels);
     }
+    case ClusterMethod::kAdaptive:
+      return separateAdaptively(cloud);
     case ClusterMethod::kDbscan:
       break;
   }
   const auto& labels = dbscan_.run(cloud, epsilon, params_.min_points);
   return sets(dbscan_, labels);
+}
+
+Clusterer::Sets Clusterer::separateAdaptively(const Cloud& cloud) {
+  const double gap = params_.row_gap > 0.0 ? radians(params_.row_gap) : row_spacing_.measure(cloud);
+  RowSpacing::close(cloud, gap, params_.epsilon, closed_);
+  const auto epsilon = static_cast<float>(params_.epsilon);
+  const auto& labels = dbscan_.run(closed_, epsilon, std::min(params_.min_points, kFewest));
+  const std::size_t usable = dbscan_.usableCount();
+  if (params_.see_through == 0.0) return {labels, dbscan_.clusterCount(), usable};
+  const auto& joined =
+      seen_through_.run(cloud, labels, dbscan_.clusterCount(), params_.epsilon, params_.see_through);
+  return {joined, seen_through_.clusterCount(), usable};
+}
+
+/// Points that make a cluster, by the squared range [m^2] of the nearest. DBSCAN knows small clusters from
+/// noise by itself. A body's returns thin out as 1 / range^2.
+double Clusterer::fewest(float nearest2) const {
+  switch (params_.method) {
+    case ClusterMethod::kDbscan:
+    case ClusterMethod::kDbscanBeta:
+      return 1.0;
+    case ClusterMethod::kAdaptive: {
+      const double full2 = params_.full_range * params_.full_range;
+      const double thinned = params_.min_points * std::min(1.0, full2 / std::max(double{nearest2}, 1e-6));
+      return std::max(thinned, static_cast<double>(std::min(kFewest, params_.min_points)));
+    }
+    default:
+      return params_.min_points;
+  }
 }
 
 void Clusterer::measure(const Cloud& cloud, const Sets& sets) {
@@ -56,17 +93,13 @@ void Clusterer::measure(const Cloud& cloud, const Sets& sets) {
   result_.noise = sets.usable - members;
 }
 
-// DBSCAN knows small clusters from noise by itself.
 void Clusterer::order() {
-  const bool density =
-      params_.method == ClusterMethod::kDbscan || params_.method == ClusterMethod::kDbscanBeta;
-  const auto fewest = static_cast<std::uint32_t>(density ? 1 : params_.min_points);
   const auto most = static_cast<std::uint32_t>(params_.max_points);
   kept_.clear();
   result_.too_large = 0;
   for (std::size_t set = 0; set < extents_.size(); ++set) {
     const std::uint32_t count = extents_[set].count;
-    if (count < fewest)
+    if (count < fewest(extents_[set].nearest2))
       result_.noise += count;
     else if (count > most)
       ++result_.too_large;

@@ -90,8 +90,9 @@ TEST_P(EveryMethod, OrderOfThePointsDoesNotMatter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryMethod,
-                         testing::Values(ClusterMethod::kDbscan, ClusterMethod::kDbscanBeta,
-                                         ClusterMethod::kRangeImage, ClusterMethod::kEuclidean),
+                         testing::Values(ClusterMethod::kAdaptive, ClusterMethod::kDbscan,
+                                         ClusterMethod::kDbscanBeta, ClusterMethod::kRangeImage,
+                                         ClusterMethod::kEuclidean),
                          [](const auto& info) {
                            ClusterParams named = params(info.param, 1);
                            return std::get<std::string>(declarationOf(named).find("method")->get());

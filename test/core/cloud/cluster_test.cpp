@@ -11,6 +11,7 @@ using test::at;
 
 ClusterParams params(double epsilon, int min_points, int max_points = 20000) {
   ClusterParams out;
+  out.method = ClusterMethod::kDbscan;
   out.epsilon = epsilon, out.min_points = min_points, out.max_points = max_points;
   return out;
 }

@@ -10,24 +10,29 @@
 #include "field_fusion/core/cloud/dbscan_beta.h"
 #include "field_fusion/core/cloud/oriented_box.h"
 #include "field_fusion/core/cloud/range_image.h"
+#include "field_fusion/core/cloud/row_spacing.h"
+#include "field_fusion/core/cloud/seen_through.h"
 
 namespace field_fusion::core {
 
-enum class ClusterMethod { kDbscan, kDbscanBeta, kRangeImage, kEuclidean };
+enum class ClusterMethod { kAdaptive, kDbscan, kDbscanBeta, kRangeImage, kEuclidean };
 
 struct ClusterParams {
-  ClusterMethod method = ClusterMethod::kDbscan;
+  ClusterMethod method = ClusterMethod::kAdaptive;
   double epsilon = 0.5;
   double theta = 10.0;
   int min_points = 10;
+  double full_range = 20.0;
+  double row_gap = 0.0;
+  double see_through = 3.5;
   int max_points = 10000000;
   bool oriented_boxes = true;
 
   void declare(Params& p) {
-    p.choice(
-        "method", method, {"dbscan", "dbscan_beta", "range_image", "euclidean"}, When::kLive,
-        "What makes points one cluster. dbscan: density. dbscan_beta: density, not across steps in depth "
-        "(paper 001). range_image: no step in depth from ray to ray. euclidean: nearness, as PCL.");
+    p.choice("method", method, {"adaptive", "dbscan", "dbscan_beta", "range_image", "euclidean"}, When::kLive,
+             "What makes points one cluster. adaptive: density in step with the scanner's resolution. "
+             "dbscan: density. dbscan_beta: density, not across steps in depth "
+             "(paper 001). range_image: no step in depth from ray to ray. euclidean: nearness, as PCL.");
     p.number("epsilon", epsilon, {0.01, 5.0}, "m", When::kLive,
              "Neighbourhood radius; range_image: largest step in depth.");
     p.number("theta", theta, {0.0, 89.0}, "deg", When::kLive,
@@ -35,6 +40,13 @@ struct ClusterParams {
     p.number("min_points", min_points, {1, 1000}, "points", When::kLive,
              "dbscan, dbscan_beta: neighbours, itself counted, that make a core point. Else: fewest of a "
              "cluster.");
+    p.number("full_range", full_range, {0.1, 1000.0}, "m", When::kLive,
+             "adaptive: farther clusters need fewer points, by (full_range / range)^2, but 4 at least.");
+    p.number("row_gap", row_gap, {0.0, 30.0}, "deg", When::kLive,
+             "adaptive: angle between the rows of the scanner; 0: measured from the rings in the cloud.");
+    p.number("see_through", see_through, {0.0, 20.0}, "m", When::kLive,
+             "adaptive: small clusters seen through openings of a larger one, so far behind it, belong to "
+             "it; 0: none do.");
     p.number("max_points", max_points, {1, 10000000}, "points", When::kLive,
              "Larger clusters are left out and counted.");
     p.flag("oriented_boxes", oriented_boxes, When::kLive, "Also fit a box turned about z to each cluster.");
@@ -84,6 +96,8 @@ class Clusterer {
   };
 
   Sets separate(const Cloud& cloud);
+  Sets separateAdaptively(const Cloud& cloud);
+  double fewest(float nearest2) const;
   void measure(const Cloud& cloud, const Sets& sets);
   void order();
   void fill(const Cloud& cloud, const std::vector<int>& sets);
@@ -93,10 +107,13 @@ class Clusterer {
   Dbscan dbscan_;
   DbscanBeta dbscan_beta_;
   RangeImage range_image_;
+  RowSpacing row_spacing_;
+  SeenThrough seen_through_;
   OrientedBoxFitter box_fitter_;
   std::vector<Extent> extents_;  // of each set
   std::vector<int> kept_;        // sets that are neither too small nor too large, in the order of the result
   std::vector<int> place_;       // of each set in the result, or kNoise
+  Cloud closed_;                 // the cloud with its rows closed up
   Clusters result_;
 };
 

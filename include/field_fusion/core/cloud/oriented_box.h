@@ -11,6 +11,14 @@ struct OrientedBox {
   Eigen::Vector3f centre = Eigen::Vector3f::Constant(kNaN);  ///< [m]
   Eigen::Vector3f size = Eigen::Vector3f::Constant(kNaN);    ///< [m] along yaw, across it, up; x >= y
   float yaw = kNaN;  ///< [rad] of the longer side, counter-clockwise from x, in [-pi/2, pi/2)
+
+  /// Whether `p` lies in the box grown by `margin` [m] on every side; false for a box of NaN.
+  bool contains(const Eigen::Vector3f& p, float margin = 0.f) const {
+    const Eigen::Vector3f d = p - centre;
+    const float c = std::cos(yaw), s = std::sin(yaw);
+    const Eigen::Array3f along(c * d.x() + s * d.y(), c * d.y() - s * d.x(), d.z());
+    return (along.abs() <= 0.5f * size.array() + margin).all();
+  }
 };
 
 /// Finds the turn of the box as Zhang et al. 2017 do (Efficient L-shape fitting of laser scanner data): a
