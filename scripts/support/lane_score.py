@@ -43,7 +43,10 @@ class Lane:
 
 
 def way_ahead(poses, frame):
-    """(n x 2) [m] where the LiDAR passes after `frame`, seen from there, without the first 3 m; a point a frame."""
+    """(n x 2) [m] where the LiDAR passes after `frame`, seen from there, without the first 3 m; a point a frame.
+    Empty where it does not get so far, or without poses."""
+    if not poses:
+        return numpy.empty((0, 2))
     T_frame_first = numpy.linalg.inv(poses[frame])
     way = numpy.array([(T_frame_first @ pose)[:2, 3] for pose in poses[frame:]])
     driven = numpy.concatenate([[0.0], numpy.cumsum(numpy.hypot(*numpy.diff(way, axis=0).T))])

@@ -101,7 +101,7 @@ def lidar_candidates(clusters):
 
 def camera_candidates(detections, calibration):
     candidates = []
-    for d in detections.detections:
+    for d in detections:
         ray = vector(d.ray)
         known = math.isfinite(d.range)
         # without range as if far away: then it does not matter that the camera stands beside the LiDAR
@@ -114,7 +114,7 @@ def camera_candidates(detections, calibration):
 def fused_candidates(obstacles, clusters, detections):
     candidates = []
     for o in obstacles.obstacles:
-        box = _image_box(detections.detections[o.detection_id]) if o.detection_id >= 0 else None
+        box = _image_box(detections[o.detection_id]) if o.detection_id >= 0 else None
         points = lidar_points(o, obstacles.obstacles, clusters)
         near, azimuth = math.hypot(o.position.x, o.position.y), o.azimuth
         if points is not None:
@@ -173,10 +173,14 @@ def run(session, folder, out, model):
     calibrations = [kitti_labels.read_calibration(kitti_labels.calibration_file(folder, name)) for name in names]
     labels = [kitti_labels.read_object_labels(folder / "label_2" / f"{name}.txt", calibration)
               for name, calibration in zip(names, calibrations)]
+    also = {"/detections": ImageDetectionArray}
+    if not any((folder / images).is_dir() for images in ("image_02", "image_2")):
+        model, also = None, {}
     outcomes = []
     # 5 s apart, as the frames are of different drives: nothing is remembered from one to the next
-    for place, answer in kitti_run.play(session, folder, out, model, rate=0.2, also={"/detections": ImageDetectionArray}):
-        clusters, detections = Clusters(answer["/clusters"]), answer["/detections"]
+    for place, answer in kitti_run.play(session, folder, out, model, rate=0.2, also=also):
+        clusters = Clusters(answer["/clusters"])
+        detections = answer["/detections"].detections if also else []
         candidates = {"": fused_candidates(answer["/obstacles"], clusters, detections),
                       "camera_only/": camera_candidates(detections, calibrations[place]),
                       "lidar_only/": lidar_candidates(clusters)}

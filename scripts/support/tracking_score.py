@@ -19,6 +19,7 @@ import kitti_run
 import lane_score
 from kitti_data import LIDAR_HEIGHT
 from kitti_messages import Clusters, lidar_points, vector, xyz
+from ros_session import SessionError
 
 FEWEST = 50  # points in the box of a body that counts
 FARTHEST = 40.0  # m, of the headline
@@ -29,7 +30,7 @@ TOUCH = 0.2  # m about a labelled body where no point is called ground
 
 
 class Recording:
-    """Labels, calibrations and poses of a folder, by place of the frame."""
+    """Labels, calibrations and poses of a folder, by place of the frame. Raises BadFile."""
 
     def __init__(self, folder, poses_file):
         self.names = kitti_run.names_of(folder)
@@ -43,8 +44,17 @@ class Recording:
         if not labels.keys() & place_of.keys():
             raise kitti_labels.BadFile(f"{folder / 'label.txt'}: no frame has the number of a cloud in velodyne/")
         self.bodies = [labels.get(int(name), []) for name in self.names]
-        kitti_run.tool("kitti_poses", folder, poses_file)
-        self.poses = list(lane_score.read_poses(poses_file).values())
+        self.poses = self._poses(folder, poses_file)
+
+    @staticmethod
+    def _poses(folder, file):
+        """Of all frames, empty where the way cannot be found: the rest is scored without."""
+        try:
+            kitti_run.tool("kitti_poses", folder, file)
+        except SessionError as error:
+            print(f"no lane to score, {error}")
+            return []
+        return list(lane_score.read_poses(file).values())
 
     def tracks(self):
         tracks = {}
@@ -86,7 +96,7 @@ class Score:
     def _add_lane(self, place, answer, clusters):
         way = lane_score.way_ahead(self.recording.poses, place)
         if len(way) < 2:
-            return
+            return  # the car stands, or the recording ends
         plane = answer["/ground_plane"]
         normal, height = (vector(plane.normal), plane.height) if plane.found else (numpy.eye(3)[2], LIDAR_HEIGHT)
         obstacles = answer["/obstacles"].obstacles
@@ -122,7 +132,7 @@ class Score:
         bodies = {outcome.body.track for _, outcome in self.outcomes}
         about = (f"{len(self.outcomes)} boxes of {len(bodies)} labelled bodies count; boxes of one body are much alike, "
                  "so the intervals are narrower than other bodies would show")
-        still = lane_score.stillest(self.recording.tracks(), self.recording.poses)
+        still = self.recording.poses and lane_score.stillest(self.recording.tracks(), self.recording.poses)
         if still:
             about += "\ntrack {} ({}, {} frames) moves least over ground: {:.2f} m about its mean".format(*still)
         return about
