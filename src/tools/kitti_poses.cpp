@@ -15,7 +15,7 @@ namespace {
 using namespace field_fusion;
 using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr double kVoxel = 0.4;   // m, side of the cubes of which one point is kept
+constexpr double kVoxel = 0.2;   // m, side of the cubes of which one point is kept
 constexpr double kCoarse = 3.0;  // m, reach of the first search: a car at 110 km/h drives so far in a frame
 constexpr double kFine = 0.6;    // m, of the last: what moves on its own finds no partner then
 constexpr double kSettled =
