@@ -34,6 +34,9 @@ foreach(source ${tool_sources})
   target_link_libraries(${name} field_fusion_ros)
   list(APPEND tools ${name})
 endforeach()
+find_package(PCL REQUIRED COMPONENTS registration)
+target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
+target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
 foreach(library field_fusion_core ${run_time_libraries})

@@ -9,10 +9,10 @@ import sys
 import tempfile
 import time
 
+import kitti_data
 from ros_session import RosSession
 
 SIZE = "1600x900"
-MODEL = "yolov8n_coco/yolov8n_deq_fp32.onnx"
 
 
 def options():
@@ -30,13 +30,14 @@ def options():
 
 def recording(folder, scene):
     """(bag, model) to play; the model is empty where detections are in the bag."""
-    data = pathlib.Path(os.environ.get("FIELD_FUSION_DATA", "/nonexistent"))
+    data = kitti_data.folder() or pathlib.Path("/nonexistent")
+    drive, model = data / kitti_data.SEQUENCE, data / kitti_data.MODEL
     bag = folder / "demo.bag"
-    if not scene and (data / "kitti_sequence").is_dir() and (data / MODEL).is_file():
-        print(f"real recording: {data / 'kitti_sequence'}, ten frames again and again; YOLOv8n with COCO classes")
-        subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", data / "kitti_sequence", bag, "--repeat", "60"],
+    if not scene and drive.is_dir() and model.is_file():
+        print(f"real recording: {drive}, ten frames again and again; YOLOv8n with COCO classes")
+        subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", drive, bag, "--repeat", "60"],
                        check=True, stdout=subprocess.DEVNULL)
-        return bag, data / MODEL
+        return bag, model
     print("made-up scene; its DETECTIONS COME FROM THE GENERATOR, not from a detector (set FIELD_FUSION_DATA for a real drive)")
     subprocess.run(["rosrun", "field_fusion", "make_scene", bag, "--seconds", "60"], check=True, stdout=subprocess.DEVNULL)
     return bag, ""

@@ -7,11 +7,9 @@ import time
 
 import rospy
 from field_fusion.msg import Obstacle, ObstacleArray
+from kitti_data import CAR_AHEAD, FRAMES, HALF_LANE, VEHICLES
 
-TRUTH = {0: 7.98, 1: 7.92, 5: 7.69, 9: 7.43}  # m along x from the LiDAR to the rear of the car ahead, by frame
-FRAMES = 10
 START, PERIOD = 1.317e9, 0.1  # s, as kitti_to_bag writes them
-HALF_LANE = 1.5  # m
 
 
 def describe(obstacle):
@@ -31,7 +29,7 @@ class Report:
         fused = [o for o in array.obstacles if o.source == Obstacle.SOURCE_BOTH]
         frame = round((array.header.stamp.to_sec() - START) / PERIOD) % FRAMES
         for o in fused:
-            if o.label in ("car", "truck", "bus") and abs(o.position.y) < HALF_LANE:
+            if o.label in VEHICLES and abs(o.position.y) < HALF_LANE:
                 self.seen.setdefault(frame, []).append(o.position.x - o.size.x / 2)
         if fused and time.monotonic() - self.printed > 1.0:
             self.printed = time.monotonic()
@@ -40,7 +38,7 @@ class Report:
 
     def summary(self):
         yield f"{self.arrays} obstacle arrays; the car ahead, nearest point of its box along x:"
-        for frame, truth in sorted(TRUTH.items()):
+        for frame, truth in sorted(CAR_AHEAD.items()):
             ranges = self.seen.get(frame, [])
             found = f"{sum(ranges) / len(ranges):.2f} m, {len(ranges)} times" if ranges else "not fused"
             yield f"  frame {frame}: truth {truth:.2f} m, found {found}"

@@ -1,6 +1,7 @@
 """The lines that scripts read: `figure NAME VALUE UNIT n=.. ci=[..,..]`, with 95 % intervals."""
 import math
 import random
+import statistics
 
 
 def line(name, value, unit, n, interval):
@@ -26,3 +27,20 @@ def bootstrap(values, statistic, resamples=2000):
     draw = random.Random(1)
     results = sorted(statistic(draw.choices(values, k=len(values))) for _ in range(resamples))
     return results[resamples // 40], results[resamples - 1 - resamples // 40]
+
+
+def share(name, hits, n):
+    return line(name, hits / n if n else math.nan, "-", n, wilson(hits, n))
+
+
+def median(name, values, unit):
+    """NaN of no values."""
+    value = statistics.median(values) if values else math.nan
+    return line(name, value, unit, len(values), bootstrap(values, statistics.median, 400))
+
+
+def worst(name, values, unit):
+    """NaN when one of the values is: what was not measured must not flatter the figure."""
+    if not values or any(map(math.isnan, values)):
+        return line(name, math.nan, unit, len(values), (math.nan, math.nan))
+    return line(name, max(values), unit, len(values), bootstrap(values, max))

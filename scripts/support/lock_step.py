@@ -1,6 +1,7 @@
 """Feeds a bag to running stages one frame at a time: the next goes out when the answer to the last is in,
 so that what comes out does not depend on the machine's load."""
 import threading
+import time
 
 import rosbag
 import rospy
@@ -8,55 +9,64 @@ import rospy
 from field_fusion.msg import ClusterArray, ObstacleArray
 
 TOPICS = ("/camera_info", "/image_raw", "/points")  # in this order: the image finds its camera there
+LISTENING = 0.5  # s of wall time: nobody says when he has heard of a new transform
 
 
 def frames_of(bag_file):
-    """[(stamp, {topic: message})] in the order of time, and the static transforms."""
+    """[(stamp, {topic: message})] in the order of time, and the static transforms at the start. Those that change
+    later are among the messages of their frame."""
     frames, static = {}, None
     with rosbag.Bag(bag_file) as bag:
-        for topic, message, _ in bag.read_messages():
-            if topic == "/tf_static":
+        for topic, message, stamp in bag.read_messages():
+            if topic == "/tf_static" and static is None:
                 static = message
-            elif topic in TOPICS:
-                frames.setdefault(message.header.stamp, {})[topic] = message
+            elif topic in (*TOPICS, "/tf_static"):
+                frames.setdefault(stamp, {})[topic] = message
     return sorted(frames.items()), static
 
 
 class LockStep:
-    """Publishes what `frames_of` gave. Needs an initialised node."""
+    """Publishes what `frames_of` gave. Needs an initialised node. `also` {topic: type} is waited for in each frame,
+    beside the obstacles and clusters."""
 
-    def __init__(self, frames, static):
+    def __init__(self, frames, static, also=None):
         first = frames[0][1]
-        self.publishers = {topic: rospy.Publisher(topic, type(first[topic]), queue_size=10) for topic in TOPICS}
+        self.publishers = {topic: rospy.Publisher(topic, type(first[topic]), queue_size=10)
+                           for topic in TOPICS if topic in first}
+        self.final = 1 if "/image_raw" in first else 0  # revision: without camera there is but one
         self.static = rospy.Publisher("/tf_static", type(static), queue_size=1, latch=True)
         self.static.publish(static)
         self.changed = threading.Condition()
-        self.obstacles, self.clusters = {}, {}
-        self.subscribers = [rospy.Subscriber("/obstacles", ObstacleArray, self._on_obstacles, queue_size=10),
-                            rospy.Subscriber("/clusters", ClusterArray, self._on_clusters, queue_size=10)]
+        types = {"/obstacles": ObstacleArray, "/clusters": ClusterArray, **(also or {})}
+        self.answers = {topic: {} for topic in types}
+        self.subscribers = [rospy.Subscriber(topic, kind, self._keep, topic, queue_size=10)
+                            for topic, kind in types.items()]
 
     def connected(self):
-        """True when stages listen to every input, and to the transforms."""
-        return all(p.get_num_connections() > 0 for p in (*self.publishers.values(), self.static))
+        """True when stages listen to every input, and to the transforms, and this to every output."""
+        return (all(p.get_num_connections() > 0 for p in (*self.publishers.values(), self.static))
+                and all(s.get_num_connections() > 0 for s in self.subscribers))
 
     def answer(self, stamp, messages, seconds):
-        """(ObstacleArray, ClusterArray) of a frame; None when the camera's part is not in by `seconds` of
-        wall time."""
-        for topic in TOPICS:
-            self.publishers[topic].publish(messages[topic])
+        """{topic: message} of a frame; None when the last of it, the camera's part, is not in by `seconds` of wall
+        time."""
+        if "/tf_static" in messages:
+            self.static.publish(messages["/tf_static"])
+            time.sleep(LISTENING)
+        for topic, publisher in self.publishers.items():
+            publisher.publish(messages[topic])
         with self.changed:
-            if not self.changed.wait_for(lambda: stamp in self.obstacles and stamp in self.clusters, seconds):
+            if not self.changed.wait_for(lambda: all(stamp in got for got in self.answers.values()), seconds):
                 return None
-            return self.obstacles[stamp], self.clusters[stamp]
+            return {topic: got.pop(stamp) for topic, got in self.answers.items()}
 
-    def _on_obstacles(self, message):
-        if message.revision == 1:
-            self._keep(self.obstacles, message)
+    def close(self):
+        for port in (*self.publishers.values(), self.static, *self.subscribers):
+            port.unregister()
 
-    def _on_clusters(self, message):
-        self._keep(self.clusters, message)
-
-    def _keep(self, where, message):
+    def _keep(self, message, topic):
+        if topic == "/obstacles" and message.revision < self.final:
+            return
         with self.changed:
-            where[message.header.stamp] = message
+            self.answers[topic][message.header.stamp] = message
             self.changed.notify_all()

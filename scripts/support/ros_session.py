@@ -31,7 +31,7 @@ class RosSession:
         self.folder = pathlib.Path(folder or self._scratch.name)
         self.port = free_port()
         self.master = xmlrpc.client.ServerProxy(f"http://127.0.0.1:{self.port}")
-        self.running = []
+        self.running, self.started = [], 0
 
     def __enter__(self):
         self._before = dict(os.environ)
@@ -57,7 +57,8 @@ class RosSession:
 
     def start(self, *command):
         """Starts a program; what it writes goes to FOLDER/<number>_<its name>.log."""
-        log = self.folder / f"{len(self.running)}_{pathlib.Path(command[0]).name}.log"
+        self.started += 1
+        log = self.folder / f"{self.started}_{pathlib.Path(command[0]).name}.log"
         with open(log, "wb") as out:
             process = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                        start_new_session=True)
@@ -68,6 +69,11 @@ class RosSession:
         """Takes a program that was started otherwise; it ends with the session."""
         self.running.append((process, None))
         return process
+
+    def end(self, process):
+        """Ends one of them before the session ends."""
+        self._end(process)
+        self.running = [entry for entry in self.running if entry[0] is not process]
 
     def launch(self, *arguments):
         return self.start("roslaunch", *map(str, arguments))

@@ -20,6 +20,7 @@ constexpr double kLidarHeight = 1.73;  // m above the ground, Geiger et al. 2013
 struct Options {
   std::string folder, bag;
   double rate = 10.0;           // frames per second
+  double turn = 0.1;            // s that the scanner takes for one
   double start = 1317000000.0;  // s, stamp of the first frame: the month of the recordings
   int repeat = 1;
 };
@@ -71,7 +72,7 @@ void convert(const Options& options) {
       writeSetup(bag, stamp, *written);
     }
     if (images) writeImage(bag, stamp, frame, calibration.camera);
-    writeCloud(bag, stamp, frame, 1.0 / options.rate);
+    writeCloud(bag, stamp, frame, options.turn);
     showProgress(i + 1, count);
   }
   bag.finish();
@@ -87,9 +88,12 @@ int main(int argc, char** argv) {
   app.add_option("folder", options.folder, "with velodyne/, image_02/ or image_2/, calib.txt or calib/")
       ->required();
   app.add_option("bag", options.bag, "file to write")->required();
-  app.add_option("--rate", options.rate, "frames per second; the scanner turns once a frame")
+  app.add_option("--rate", options.rate, "frames per second")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--turn", options.turn, "time that the scanner takes for one turn [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 10.0));
   app.add_option("--start", options.start, "stamp of the first frame [s]")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 4.0e9));

@@ -91,6 +91,13 @@ def test_kitti_repeat_goes_on_in_time(drive):
     assert [m.header.stamp.to_sec() for m in messages["/points"]] == pytest.approx([50 + 0.2 * i for i in range(6)])
 
 
+def test_kitti_turn_of_the_scanner_takes_its_time_at_any_rate(drive):
+    for more, time in (((), 0.025), (("--turn", "0.05"), 0.0125)):  # of a point to the left
+        _, messages, _ = convert(drive, "--rate", "0.2", *more)
+        cloud = messages["/points"][1]
+        assert struct.unpack_from("<5f", cloud.data, cloud.point_step)[4] == pytest.approx(time)
+
+
 def test_kitti_new_calibration_is_written_when_it_changes(drive):
     (drive / "calib").mkdir()
     for i in range(2):
