@@ -75,7 +75,8 @@ class GroundSurface {
   std::vector<Patch> patches_;        // of each cell
   std::vector<Place> places_;         // of each usable point
   std::vector<std::uint32_t> start_;  // of each cell in ticks_, and the end
-  std::vector<std::int32_t> ticks_;   // heights over the plane, by cell; sums of integers know no order
+  std::vector<std::int32_t>
+      ticks_;  // heights over the plane [0.1 mm], by cell; sums of integers know no order
 };
 
 }  // namespace field_fusion::core
