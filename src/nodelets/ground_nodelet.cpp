@@ -1,4 +1,4 @@
-// points -> [plane RANSAC] -> points_obstacle, points_ground, ground_plane
+// points -> [plane RANSAC, local height over it] -> points_obstacle, points_ground, ground_plane
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -39,8 +39,8 @@ class GroundNodelet : public StageNodelet<GroundStageParams> {
     if (!last_.found())
       status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
                           std::string("no ground: ") + describe(last_.fault));
-    status.add("ground: points", last_.inliers);
-    status.add("ground: points below", last_.below);
+    status.add("ground: points on the plane", last_.inliers);
+    status.add("ground: points below the plane", last_.below);
     status.add("ground: height of the sensor [m]", last_.plane.offset);
     status.add("ground: tilt [deg]", core::degrees(last_.tilt));
     status.add("ground: confidence", last_.confidence);

@@ -60,7 +60,8 @@ Ground GroundFinder::run(const Cloud& cloud, double stamp, Cloud& ground, Cloud&
   Ground result = find(cloud, up);
   if (!result.found()) result = failed(result.fault);
   result.unusable = cloud.size() - usable_.size();
-  split(cloud, result.plane, ground, obstacles);
+  measure(cloud, result);
+  split(cloud, ground, obstacles);
   if (result.found()) last_stamp_ = stamp, last_height_ = result.plane.offset;
   return result;
 }
@@ -128,15 +129,26 @@ void GroundFinder::count(const Cloud& cloud, Ground& result) const {
   result.confidence *= on > 0.0 ? on / (on + below) : 0.0;
 }
 
-void GroundFinder::split(const Cloud& cloud, const Plane& plane, Cloud& ground, Cloud& obstacles) const {
+void GroundFinder::measure(const Cloud& cloud, const Ground& result) {
+  if (result.found() && params_.method == GroundMethod::kSurface) {
+    const SurfaceLimits limits{radians(params_.max_slope), params_.max_step};
+    surface_.measure(cloud, usable_, result.plane, limits, heights_);
+    return;
+  }
+  heights_.clear();
+  for (const std::uint32_t i : usable_) heights_.push_back(result.plane.height(position(cloud[i])));
+}
+
+void GroundFinder::split(const Cloud& cloud, Cloud& ground, Cloud& obstacles) const {
   ground.clear();
   obstacles.clear();
-  for (const std::uint32_t i : usable_) {
-    const double height = plane.height(position(cloud[i]));  // NaN, so an obstacle, without a plane
+  for (std::size_t k = 0; k < usable_.size(); ++k) {
+    const Point& point = cloud[usable_[k]];
+    const double height = heights_[k];
     if (std::abs(height) <= params_.distance)
-      ground.push_back(cloud[i]);
+      ground.push_back(point);
     else if (!(height < 0.0) || !params_.drop_below)
-      obstacles.push_back(cloud[i]);
+      obstacles.push_back(point);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "support/clouds.h"
+#include "support/relief.h"
 #include "support/street.h"
 
 namespace field_fusion::core {
@@ -197,6 +198,42 @@ TEST(Ground, StreetIsPartedAsItWasMade) {
     for (const Point& p : parted.ground) EXPECT_LT(p.z, -1.8f + 0.4f);
     for (const Point& p : parted.obstacles) EXPECT_GT(p.z, -1.8f + 0.05f);
   }
+}
+
+TEST(Ground, OnEvenGroundBothMethodsPartAlike) {
+  GroundParams plane;
+  plane.method = GroundMethod::kPlane;
+  const Parted a = part(scene(1.7f)), b = part(scene(1.7f), plane);
+  const auto xs = [](const Cloud& cloud) {
+    std::vector<float> out;
+    for (const Point& p : cloud) out.push_back(p.x);
+    return out;
+  };
+  EXPECT_EQ(xs(a.ground), xs(b.ground));
+  EXPECT_EQ(xs(a.obstacles), xs(b.obstacles));
+}
+
+TEST(Ground, SurfaceFollowsAHillThatThePlaneLeavesBehind) {
+  const auto hill = [](double x, double) { return 0.03 * std::max(0.0, x - 15.0); };
+  test::ReliefScan scan;
+  scan.max_range = 45.0;
+  const Cloud cloud = test::scanRelief(hill, scan);
+  GroundParams plane;
+  plane.method = GroundMethod::kPlane;
+  EXPECT_EQ(part(cloud).obstacles.size(), 0u);
+  EXPECT_GT(part(cloud, plane).obstacles.size(), cloud.size() / 50);
+}
+
+TEST(Ground, WhatIsBelowIsJudgedFromTheSurface) {
+  const auto hill = [](double x, double) { return 0.05 * std::max(0.0, x - 10.0); };
+  Cloud cloud = test::scanRelief(hill);
+  const std::size_t road = cloud.size();
+  for (int i = 0; i < 10; ++i) cloud.push_back(at(25.f + 0.1f * static_cast<float>(i), 0, -1.6f));
+  GroundParams params;
+  params.drop_below = true;
+  const Parted dropped = part(cloud, params), kept = part(cloud);
+  EXPECT_EQ(kept.obstacles.size(), dropped.obstacles.size() + 10);
+  EXPECT_GT(dropped.ground.size(), road * 98 / 100);
 }
 
 TEST(Ground, RefusesAnUpThatIsNoUnitVector) {

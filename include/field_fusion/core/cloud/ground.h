@@ -1,16 +1,23 @@
 #pragma once
-// Parts the ground from what stands on it: one plane, found by RANSAC (paper 001, section V-A).
+// Parts the ground from what stands on it: one plane, found by RANSAC (paper 001, section V-A), or the uneven
+// ground that follows this plane.
 #include <cstdint>
 #include <vector>
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/cloud/ground_surface.h"
 #include "field_fusion/core/cloud/plane.h"
 
 namespace field_fusion::core {
 
+enum class GroundMethod { kSurface, kPlane };
+
 struct GroundParams {
+  GroundMethod method = GroundMethod::kSurface;
   double distance = 0.2;
+  double max_slope = 6.0;
+  double max_step = 0.15;
   double max_tilt = 15.0;
   double sensor_height = 0.0;
   double height_tolerance = 0.5;
@@ -23,7 +30,14 @@ struct GroundParams {
   int seed = 1;
 
   void declare(Params& p) {
-    p.number("distance", distance, {0.01, 2.0}, "m", When::kLive, "Points so near to the plane are ground.");
+    p.choice(
+        "method", method, {"surface", "plane"}, When::kLive,
+        "What the ground is. surface: uneven, near the plane, metre by metre. plane: the plane (paper 001).");
+    p.number("distance", distance, {0.01, 2.0}, "m", When::kLive, "Points so near to the ground are ground.");
+    p.number("max_slope", max_slope, {0.0, 30.0}, "deg", When::kLive,
+             "surface: steepest ground, against the plane.");
+    p.number("max_step", max_step, {0.01, 1.0}, "m", When::kLive,
+             "surface: highest step of the ground, such as a kerb; what is lower is no body.");
     p.number("max_tilt", max_tilt, {0.1, 60.0}, "deg", When::kLive,
              "Largest angle between the plane's normal and up.");
     p.number("sensor_height", sensor_height, {0.0, 1000.0}, "m", When::kLive,
@@ -66,10 +80,10 @@ struct Ground {
   Plane plane;               ///< in the cloud's frame, normal up; NaN when not found
   double tilt = kNaN;        ///< [rad] between the normal and up
   double thickness = kNaN;   ///< [m] standard deviation of the ground points along the normal
-  std::size_t inliers = 0;   ///< points of the ground
-  std::size_t below = 0;     ///< points below it
+  std::size_t inliers = 0;   ///< points within `distance` of the plane
+  std::size_t below = 0;     ///< points farther below it
   std::size_t unusable = 0;  ///< points that are not finite or too far away
-  /// 0 ... 1, the product of two shares. Of the points not above the ground, those on it: nothing solid lies
+  /// 0 ... 1, the product of two shares. Of the points not above the plane, those on it: nothing solid lies
   /// below the ground, so many points there mean that the plane is a table or a roof. And 1 - thickness /
   /// width of the ground points: a narrow strip of ground does not fix the tilt.
   double confidence = 0.0;
@@ -97,13 +111,16 @@ class GroundFinder {
   Ground find(const Cloud& cloud, const Eigen::Vector3d& up);
   void refine(const Cloud& cloud, const Eigen::Vector3d& up, Ground& result) const;
   void count(const Cloud& cloud, Ground& result) const;
-  void split(const Cloud& cloud, const Plane& plane, Cloud& ground, Cloud& obstacles) const;
+  void measure(const Cloud& cloud, const Ground& result);
+  void split(const Cloud& cloud, Cloud& ground, Cloud& obstacles) const;
   GroundFault judge(Plane& plane, const Eigen::Vector3d& up) const;
   GroundFault faultOfBest(const Eigen::Vector3d& up);
 
   GroundParams params_;
   PlaneSearch search_;
+  GroundSurface surface_;
   std::vector<std::uint32_t> usable_;
+  std::vector<double> heights_;  // [m] above the ground of each usable point; NaN without a plane
   double last_stamp_ = kNaN, last_height_ = kNaN;
 };
 
