@@ -39,16 +39,5 @@ TEST(CompressedImages, AreTakenAsTheirPixelsAre) {
   EXPECT_NEAR(detections.last->detections[0].x_min, 8.f, 1e-3);
 }
 
-TEST(CompressedImages, TransportThatIsNotInstalledIsRefusedAtTheStart) {
-  if (installed()) GTEST_SKIP() << "the image transport `compressed` is installed on this machine";
-  Diagnostics diagnostics;
-  ASSERT_TRUE(spinUntil([&] { return diagnostics.of("detect") != nullptr; }));
-  EXPECT_EQ(diagnostics.of("detect")->level, diagnostic_msgs::DiagnosticStatus::ERROR);
-  EXPECT_NE(
-      diagnostics.of("detect")->message.find("image_transport: compressed is not installed; there are: raw"),
-      std::string::npos)
-      << diagnostics.of("detect")->message;
-}
-
 }  // namespace
 }  // namespace field_fusion::test

@@ -158,6 +158,9 @@ TEST_F(Costmap, CameraIsRememberedUntilItsNextAnswerOrForCameraMemory) {
 
 // Without clusters of the same stamp the LiDAR did not look: nothing may be cleared.
 TEST_F(Costmap, CameraWithoutLidarMarksAndLeavesTheRestUnknown) {
+  CostmapParams params;
+  params.scan.azimuth_step = 1.0;
+  feed_.setParams(params);
   const auto out = take(10, 1, {ofCamera(20)});
   ASSERT_TRUE(out.cloud);
   EXPECT_EQ(out.from_lidar, 0u);

@@ -86,8 +86,8 @@ TEST_F(CostmapStage, PointsAndScanStandInTheWantedFrameWithinTheBand) {
   EXPECT_FLOAT_EQ(*sensor_msgs::PointCloud2ConstIterator<float>(*points_.last, "x"), 5.f);
   EXPECT_FLOAT_EQ(*sensor_msgs::PointCloud2ConstIterator<float>(*points_.last, "z"), 1.f);
   EXPECT_EQ(scan_.last->header.frame_id, "base");
-  ASSERT_EQ(scan_.last->ranges.size(), 720u);
-  EXPECT_FLOAT_EQ(scan_.last->ranges[360], 5.f);
+  ASSERT_EQ(scan_.last->ranges.size(), 1440u);
+  EXPECT_FLOAT_EQ(scan_.last->ranges[720], 5.f);
   EXPECT_EQ(scan_.last->ranges[0], std::numeric_limits<float>::infinity());
 }
 

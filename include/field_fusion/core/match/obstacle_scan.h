@@ -11,7 +11,7 @@ namespace field_fusion::core {
 struct ObstacleScanParams {
   double azimuth_min = -180.0;
   double azimuth_max = 180.0;
-  double azimuth_step = 0.5;
+  double azimuth_step = 0.25;
   double range_min = 0.0;
   double range_max = 30.0;
   double point_radius = 0.05;
