@@ -38,6 +38,7 @@ void CostmapFeed::setParams(const CostmapParams& params) {
 }
 
 void CostmapFeed::add(const ClusterArray::ConstPtr& clusters) {
+  if (!clusters_.empty() && clusters->header.stamp <= clusters_.back()->header.stamp) reset();
   clusters_.push_back(clusters);
   if (clusters_.size() > kMaxClusters) clusters_.pop_front();
 }

@@ -197,6 +197,14 @@ TEST_F(Costmap, ResetForgetsClustersCameraAndStamps) {
   EXPECT_EQ(places(5, 0, {ofCluster(0)}), (Places{4, 4}));
 }
 
+// The bag has looped while nobody listened.
+TEST_F(Costmap, ClustersThatDoNotRiseStartAnew) {
+  feed_.add(clustersAt(10, {3}));
+  take(10, 1, {ofCluster(0), ofCamera(20)});
+  feed_.add(clustersAt(9.8, {4}));
+  EXPECT_EQ(places(9.8, 0, {ofCluster(0)}), (Places{4, 4}));
+}
+
 TEST_F(Costmap, OldClustersAreLetGo) {
   for (int i = 0; i < 100; ++i) feed_.add(clustersAt(10 + 0.1 * i, {3}));
   EXPECT_FALSE(feed_.ready(obstaclesAt(10, 0, {ofCluster(0)})));

@@ -1,11 +1,13 @@
 """Two robots under one master, each in a namespace and with frames of its own: nothing of one reaches the other."""
 import json
+import math
 
 import genpy
 import rosbag
 import sensor_msgs.point_cloud2
 import std_msgs.msg
 from field_fusion.msg import ImageDetection, ImageDetectionArray
+from geometry_msgs.msg import Vector3
 from ros_session import RosSession
 
 LAUNCH = """<launch>{}</launch>"""
@@ -54,7 +56,9 @@ def cloud(robot, stamp, ahead):
 
 def detections(robot, stamp, ahead, label):
     body = ImageDetection(label=label, score=0.9, range=ahead, range_sigma=0.2, depth=ahead)
-    body.ray.z = 1.0
+    for vector in (v for v in map(body.__getattribute__, body.__slots__) if isinstance(v, Vector3)):
+        vector.x = vector.y = vector.z = math.nan  # not known
+    body.ray = Vector3(0, 0, 1)
     return ImageDetectionArray(header=header(robot, "camera", stamp), width=640, height=480, detections=[body])
 
 

@@ -47,7 +47,8 @@ class CostmapFeed {
   /// Throws std::invalid_argument with every fault of the parameters.
   void setParams(const CostmapParams& params);
 
-  /// Takes clusters that passed `check`.
+  /// Takes clusters that passed `check`. Their stamps rise; one that does not is the first of a new
+  /// subscription: starts anew.
   void add(const ClusterArray::ConstPtr& clusters);
 
   /// Whether the obstacles need not wait for their clusters: what the camera says while the LiDAR is silent
