@@ -1,4 +1,4 @@
-// clusters, obstacles -> [points, scan] -> obstacle_points, obstacle_scan, obstacle_detections
+// clusters, obstacles, points -> [points, scan] -> obstacle_points, obstacle_scan, obstacle_detections
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/ros/convert.h"
@@ -15,6 +15,7 @@ class CostmapNodelet : public StageNodelet<CostmapParams> {
     scan_ = output<sensor_msgs::LaserScan>("obstacle_scan");
     vision_.start([this](auto* m) { return output<std::decay_t<decltype(*m)>>("obstacle_detections"); });
     input<ClusterArray>("clusters", [this](const auto& clusters) { check(*clusters), feed_.add(clusters); });
+    input<CloudMessage>("points", [this](const auto& points) { feed_.add(points); }).optional = true;
     const auto ready = [this](const auto& o) { return feed_.ready(o) && tf().has(params().frame, o.header); };
     input<ObstacleArray>(
         "obstacles", [this](const auto& obstacles) { onObstacles(*obstacles); }, ready);

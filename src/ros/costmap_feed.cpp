@@ -11,6 +11,22 @@ namespace {
 /// Arrays of clusters that wait for the last revision of their obstacles: more than 1 s of a 20 Hz LiDAR.
 constexpr std::size_t kMaxClusters = 32;
 
+/// Clouds are large, and only those of the newest obstacles count.
+constexpr std::size_t kMaxClouds = 8;
+
+template <class Pointer>
+void keep(std::deque<Pointer>& kept, const Pointer& message, std::size_t most) {
+  kept.push_back(message);
+  if (kept.size() > most) kept.pop_front();
+}
+
+template <class Pointer>
+Pointer at(const std::deque<Pointer>& kept, const ros::Time& stamp) {
+  const auto found = std::find_if(kept.rbegin(), kept.rend(),
+                                  [&](const auto& message) { return message->header.stamp == stamp; });
+  return found == kept.rend() ? nullptr : *found;
+}
+
 bool namesNoCluster(const ObstacleArray& obstacles) {
   return std::all_of(obstacles.obstacles.begin(), obstacles.obstacles.end(),
                      [](const Obstacle& o) { return o.cluster_id < 0; });
@@ -39,30 +55,26 @@ void CostmapFeed::setParams(const CostmapParams& params) {
 
 void CostmapFeed::add(const ClusterArray::ConstPtr& clusters) {
   if (!clusters_.empty() && clusters->header.stamp <= clusters_.back()->header.stamp) reset();
-  clusters_.push_back(clusters);
-  if (clusters_.size() > kMaxClusters) clusters_.pop_front();
+  keep(clusters_, clusters, kMaxClusters);
 }
+
+void CostmapFeed::add(const CloudMessage::ConstPtr& points) { keep(clouds_, points, kMaxClouds); }
 
 void CostmapFeed::reset() {
   clusters_.clear();
+  clouds_.clear();
   camera_ = {};
   last_.reset();
 }
 
-ClusterArray::ConstPtr CostmapFeed::clustersAt(const ros::Time& stamp) const {
-  const auto found = std::find_if(clusters_.rbegin(), clusters_.rend(),
-                                  [&](const auto& clusters) { return clusters->header.stamp == stamp; });
-  return found == clusters_.rend() ? nullptr : *found;
-}
-
 bool CostmapFeed::ready(const ObstacleArray& obstacles) const {
-  return clustersAt(obstacles.header.stamp) || (obstacles.revision > 0 && namesNoCluster(obstacles));
+  return at(clusters_, obstacles.header.stamp) || (obstacles.revision > 0 && namesNoCluster(obstacles));
 }
 
 CostmapFeed::Points CostmapFeed::take(const ObstacleArray& obstacles, const std::string& frame,
                                       const core::Transform& T_frame_lidar) {
   if (!ready(obstacles)) throw std::runtime_error("clusters missing: none with the stamp of the obstacles");
-  const auto clusters = clustersAt(obstacles.header.stamp);
+  const auto clusters = at(clusters_, obstacles.header.stamp);
   gather(obstacles, clusters.get());
   std_msgs::Header header = obstacles.header;
   header.frame_id = frame;
@@ -80,7 +92,14 @@ CostmapFeed::Points CostmapFeed::take(const ObstacleArray& obstacles, const std:
   if (fresh(header)) cloud->points.insert(cloud->points.end(), camera_.points.begin(), camera_.points.end());
   if (last_ && header.stamp == last_->header.stamp && samePlaces(cloud->points, last_->points)) return {};
   last_ = cloud;
-  return {last_, from_lidar, clusters != nullptr};
+  Points out{last_, from_lidar, clusters != nullptr, {}};
+  if (const auto all = at(clouds_, header.stamp)) {
+    core::ObstacleBody any;
+    any.existence = 1.0;
+    any.points.count = static_cast<std::uint32_t>(all->points.size());
+    core::appendLidarPoints({any}, all->points, T_frame_lidar, params_.points, out.unclear);
+  }
+  return out;
 }
 
 bool CostmapFeed::fresh(const std_msgs::Header& header) const {
@@ -120,7 +139,7 @@ void CostmapFeed::gather(const ObstacleArray& obstacles, const ClusterArray* clu
 }
 
 boost::shared_ptr<sensor_msgs::LaserScan> CostmapFeed::scan(const Points& points) {
-  const auto& scan = scanner_.run(points.cloud->points, points.looked);
+  const auto& scan = scanner_.run(points.cloud->points, points.looked, points.unclear);
   const auto out = boost::make_shared<sensor_msgs::LaserScan>();
   out->header = points.cloud->header;
   out->angle_min = static_cast<float>(scan.azimuth);

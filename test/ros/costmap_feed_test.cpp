@@ -156,6 +156,24 @@ TEST_F(Costmap, CameraIsRememberedUntilItsNextAnswerOrForCameraMemory) {
   EXPECT_TRUE(places(10.8, 1, {}).empty());
 }
 
+// DBSCAN leaves out what has too few points; the LiDAR saw it all the same.
+TEST_F(Costmap, RaysToPointsThatNoClusterTookAreNotFree) {
+  CostmapParams params;
+  params.scan.azimuth_step = 1.0;
+  feed_.setParams(params);
+  auto cloud = boost::make_shared<CloudMessage>();
+  cloud->header.stamp.fromSec(10);
+  cloud->points.resize(2);
+  cloud->points[0].y = 8.f;  // 90 deg
+  cloud->points[1].x = 3.f;
+  feed_.add(CloudMessage::ConstPtr(cloud));
+  feed_.add(clustersAt(10, {3}));
+  const auto scan = feed_.scan(take(10, 0, {ofCluster(0)}));
+  EXPECT_TRUE(std::isnan(scan->ranges[270]));
+  EXPECT_EQ(scan->ranges[180], 3.f);
+  EXPECT_EQ(scan->ranges[0], std::numeric_limits<float>::infinity());
+}
+
 // Without clusters of the same stamp the LiDAR did not look: nothing may be cleared.
 TEST_F(Costmap, CameraWithoutLidarMarksAndLeavesTheRestUnknown) {
   CostmapParams params;

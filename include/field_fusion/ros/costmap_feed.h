@@ -42,6 +42,7 @@ class CostmapFeed {
     CloudMessage::ConstPtr cloud;
     std::size_t from_lidar = 0;  ///< of the points, the first so many
     bool looked = false;         ///< the LiDAR did: where no obstacle is, none was seen
+    core::Cloud unclear;         ///< of the clusterer's input, without saying which are in a cluster
   };
 
   /// Throws std::invalid_argument with every fault of the parameters.
@@ -50,6 +51,10 @@ class CostmapFeed {
   /// Takes clusters that passed `check`. Their stamps rise; one that does not is the first of a new
   /// subscription: starts anew.
   void add(const ClusterArray::ConstPtr& clusters);
+
+  /// Takes the points from which the clusters were made. Those that no cluster took may still be a body, too
+  /// small or too far away: the scan does not call their rays free.
+  void add(const CloudMessage::ConstPtr& points);
 
   /// Whether the obstacles need not wait for their clusters: what the camera says while the LiDAR is silent
   /// has none.
@@ -66,13 +71,13 @@ class CostmapFeed {
   void reset();
 
  private:
-  ClusterArray::ConstPtr clustersAt(const ros::Time& stamp) const;
   void gather(const ObstacleArray& obstacles, const ClusterArray* clusters);
   bool fresh(const std_msgs::Header& header) const;
 
   CostmapParams params_;
   core::ObstacleScanner scanner_;
   std::deque<ClusterArray::ConstPtr> clusters_;  // the newest last
+  std::deque<CloudMessage::ConstPtr> clouds_;    // the newest last
   std::vector<core::ObstacleBody> bodies_;
   std::vector<int> body_of_;  // each cluster; -1: none
   core::Cloud lidar_points_;

@@ -21,10 +21,12 @@ void ObstacleScanner::setParams(const ObstacleScanParams& params) {
   scan_.ranges.resize(static_cast<std::size_t>(steps) + (sector < 360.0 ? 1 : 0));
 }
 
-const ObstacleScan& ObstacleScanner::run(const Cloud& points, bool looked) {
-  std::fill(scan_.ranges.begin(), scan_.ranges.end(), kFree);
+const ObstacleScan& ObstacleScanner::run(const Cloud& points, bool looked, const Cloud& unclear) {
+  std::fill(scan_.ranges.begin(), scan_.ranges.end(), looked ? kFree : kNaN);
+  for (const auto& point : unclear) mark(point);
+  const auto met = [](float range) { return range < kFree; };
+  std::replace_if(scan_.ranges.begin(), scan_.ranges.end(), met, kNaN);
   for (const auto& point : points) mark(point);
-  if (!looked) std::replace(scan_.ranges.begin(), scan_.ranges.end(), kFree, kNaN);
   return scan_;
 }
 
@@ -41,7 +43,7 @@ void ObstacleScanner::mark(const Point& point) {
     const long last = std::min(ray(at + reach), static_cast<long>(scan_.ranges.size()) - 1);
     for (long i = std::max(ray(at - reach), 0L); i <= last; ++i) {
       float& nearest = scan_.ranges[static_cast<std::size_t>(i)];
-      nearest = std::min(nearest, reading);
+      nearest = std::fmin(nearest, reading);  // a range wins over NaN
     }
   }
 }

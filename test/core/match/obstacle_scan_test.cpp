@@ -126,6 +126,17 @@ TEST(ObstacleScan, WhatWasNotLookedAtIsNotFree) {
   EXPECT_FLOAT_EQ(out[1], 5.f);
 }
 
+TEST(ObstacleScan, RayThatMeetsWhatIsUnclearIsNotFree) {
+  ObstacleScanner scanner(sector(-20, 20, 10));
+  const auto& out =
+      scanner.run({at(5, 0), at(5, 10)}, true, {at(3, 0), at(7, 10), at(7, -10), at(99, 20)}).ranges;
+  EXPECT_EQ(out[0], kFree);
+  EXPECT_TRUE(std::isnan(out[1]));
+  EXPECT_FLOAT_EQ(out[2], 5.f);  // an obstacle counts, whatever else is there
+  EXPECT_FLOAT_EQ(out[3], 5.f);
+  EXPECT_EQ(out[4], kFree);  // beyond range_max
+}
+
 TEST(ObstacleScan, AgreesWithEveryRayAgainstEveryPoint) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> range(0.3, 40.0), azimuth(-180.0, 180.0);

@@ -33,10 +33,11 @@ struct ObstaclePointsParams {
 
 /// An obstacle as far as a planner needs to know it.
 struct ObstacleBody {
-  double existence = 0.0;    ///< 0..1
-  IndexRange points;         ///< of the LiDAR; none: the camera alone sees it
-  Eigen::Vector3d position;  ///< [m] of what the camera alone sees; NaN unknown
-  double radius = kNaN;      ///< [m] of what the camera alone sees; NaN unknown
+  double existence = 0.0;  ///< 0..1
+  IndexRange points;       ///< of the LiDAR; none: the camera alone sees it
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Constant(kNaN);  ///< [m] of what the camera alone sees; NaN unknown
+  double radius = kNaN;                 ///< [m] of what the camera alone sees; NaN unknown
 };
 
 /// Appends the LiDAR points of the bodies that exist surely enough, within the band of heights. Points that

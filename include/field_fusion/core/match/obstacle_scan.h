@@ -51,9 +51,10 @@ class ObstacleScanner {
   explicit ObstacleScanner(const ObstacleScanParams& params = {}) { setParams(params); }
   void setParams(const ObstacleScanParams& params);
 
-  /// `looked`: what holds no obstacle was seen to be free; otherwise it is not known (NaN). The result stays
-  /// valid until the next call.
-  const ObstacleScan& run(const Cloud& points, bool looked);
+  /// `looked`: rays without obstacle are free; otherwise they are not known (NaN). So are those that meet one
+  /// of the points `unclear`, of which it is not known whether they are an obstacle. The result stays valid
+  /// until the next call.
+  const ObstacleScan& run(const Cloud& points, bool looked, const Cloud& unclear = {});
 
  private:
   void mark(const Point& point);
