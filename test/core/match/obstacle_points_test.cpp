@@ -74,7 +74,9 @@ TEST(CameraPoints, LieOnTheHalfOfTheOutlineThatFacesTheOrigin) {
     EXPECT_NEAR((p - centre).norm(), 1.0, 1e-5);
     EXPECT_LE((p - centre).dot(centre), 1e-5);  // never behind the middle
     EXPECT_EQ(out[i].z, 0.5f);
-    if (i > 0) EXPECT_LE((out[i].position() - out[i - 1].position()).norm(), 0.1);
+    if (i > 0) {
+      EXPECT_LE((out[i].position() - out[i - 1].position()).norm(), 0.1);
+    }
     nearest = std::min(nearest, p.norm());
   }
   EXPECT_NEAR(nearest, 4.0, 1e-5);
