@@ -12,6 +12,18 @@ namespace {
 constexpr double kHoldPoll = 0.005;  // [s] of wall time
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
+/// What `~image_transport` names. Throws std::runtime_error where no such transport is installed: found now,
+/// not when somebody listens.
+image_transport::TransportHints imageTransport(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh) {
+  const image_transport::TransportHints hints("raw", ros::TransportHints(), private_nh);
+  const std::string prefix = "image_transport/";
+  auto known = image_transport::ImageTransport(nh).getDeclaredTransports();
+  if (std::find(known.begin(), known.end(), prefix + hints.getTransport()) != known.end()) return hints;
+  std::string text = "image_transport: " + hints.getTransport() + " is not installed; there are:";
+  for (const auto& name : known) text += " " + name.substr(name.rfind('/') + 1);
+  throw std::runtime_error(text);
+}
+
 /// Messages between two numbers of one publisher; 0 where they cannot be of one run of it.
 std::uint32_t gapBefore(std::uint32_t seq, std::uint32_t last) {
   constexpr std::uint32_t kLargestGap = 1000;
@@ -72,9 +84,9 @@ InputPort& Stage::imageInput(const std::string& topic, Handler<sensor_msgs::Imag
                              Ready<sensor_msgs::Image> ready) {
   auto& port = addInput(topic);
   auto receive = receiver<sensor_msgs::Image>(port, std::move(handler), std::move(ready));
-  port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
+  const auto hints = imageTransport(getNodeHandle(), getPrivateNodeHandle());
+  port.subscribe = [this, topic, receive, hints]() -> std::shared_ptr<void> {
     image_transport::ImageTransport transport(getNodeHandle());
-    const image_transport::TransportHints hints("raw", ros::TransportHints(), getPrivateNodeHandle());
     return std::make_shared<image_transport::Subscriber>(
         transport.subscribe(topic, kQueue, receive, ros::VoidPtr(), hints));
   };
@@ -97,7 +109,7 @@ ros::WallTimer Stage::every(double seconds, std::function<void()> work) {
 void Stage::onSubscribersChanged() try {
   const std::lock_guard<std::mutex> lock(mutex_);
   updateSubscriptions();
-} catch (const std::exception& e) {  // an image transport that is not installed
+} catch (const std::exception& e) {  // an image transport whose library is missing
   NODELET_FATAL_STREAM("cannot subscribe: " << e.what());
 }
 

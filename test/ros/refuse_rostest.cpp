@@ -62,6 +62,14 @@ TEST(Refuse, ListOfTheWrongThingIsNamed) {
   EXPECT_SAYS(outcome, "box is a list but must be a list of double");
 }
 
+TEST(Refuse, ImageTransportThatIsNotInstalled) {
+  const auto model = "_model:=" + std::string(PROJECT_DIR) + "/test/fixtures/stock_head.onnx";
+  const auto outcome = start("detect", "refused_transport", model + " _image_transport:=smoke_signals");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.status, kTimedOut);
+  EXPECT_SAYS(outcome, "image_transport: smoke_signals is not installed; there are: ");
+}
+
 TEST(Refuse, ModelThatIsMissing) {
   const auto outcome = start("detect", "refused_missing", "_model:=/no/such/model.onnx");
   EXPECT_NE(outcome.status, 0);

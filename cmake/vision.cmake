@@ -1,0 +1,13 @@
+# Obstacles as vision_msgs too, where that package is installed (ros-noetic-vision-msgs; Debian has none).
+find_package(vision_msgs QUIET)
+if(vision_msgs_FOUND)
+  message(STATUS "vision_msgs ${vision_msgs_VERSION}: ${vision_msgs_DIR}")
+  target_sources(field_fusion_ros PRIVATE ${PROJECT_SOURCE_DIR}/src/vision/vision_message.cpp)
+  target_compile_definitions(field_fusion_ros PUBLIC FIELD_FUSION_VISION_MSGS)
+  target_include_directories(field_fusion_ros SYSTEM PUBLIC ${vision_msgs_INCLUDE_DIRS})
+  if(vision_msgs_EXPORTED_TARGETS)
+    add_dependencies(field_fusion_ros ${vision_msgs_EXPORTED_TARGETS})
+  endif()
+else()
+  message(STATUS "no vision_msgs: obstacles go out in our own messages alone")
+endif()
