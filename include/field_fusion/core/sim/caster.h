@@ -1,0 +1,47 @@
+#pragma once
+// Casts rays into a world; every sensor sees the same world through it.
+#include <memory>
+
+#include "field_fusion/core/sim/world.h"
+
+namespace field_fusion::core::sim {
+
+struct Ray {
+  Eigen::Vector3f origin;     ///< [m] world
+  Eigen::Vector3f direction;  ///< unit vector
+  float time = 0.f;           ///< 0..1 within the caster's window
+};
+
+struct Hit {
+  static constexpr int kNothing = -1, kGround = -2, kRobot = -3;
+
+  float range = std::numeric_limits<float>::infinity();  ///< [m] along the ray
+  int body = kNothing;                                   ///< place in World::bodies
+  Eigen::Vector3f normal{0, 0, 1};                       ///< unit vector, world, towards the ray's origin
+  Eigen::Vector3f place{0, 0, 0};      ///< [m] in the frame of the link that was hit, for textures
+  const Material* material = nullptr;  ///< of what was hit; null for nothing
+};
+
+/// Intel Embree holds the world. Casting is thread-safe; setWindow is not.
+class Caster {
+ public:
+  /// The world must outlive the caster and not change.
+  explicit Caster(const World& world);
+  ~Caster();
+
+  /// The span of time [s] in which the next rays are cast. Bodies move in it along straight lines between
+  /// a few instants, so a window is a scan or a frame, not an hour.
+  void setWindow(double begin, double end);
+
+  Hit cast(const Ray& ray) const;
+  /// Rays next to each other in the array should be next to each other in the world: eight go together.
+  void cast(const Ray* rays, Hit* hits, std::size_t count) const;
+  /// Whether something stands between the origin and `distance` [m] along the ray.
+  bool blocked(const Ray& ray, float distance) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace field_fusion::core::sim
