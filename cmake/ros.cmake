@@ -35,6 +35,15 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 
+# benchmarks against ROS itself
+file(GLOB bench_sources CONFIGURE_DEPENDS bench/ros/bench_*.cpp)
+foreach(source ${bench_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} core_test_support field_fusion_ros)
+  list(APPEND tools ${name})
+endforeach()
+
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
 foreach(library field_fusion_core ${run_time_libraries})
   set_target_properties(${library} PROPERTIES

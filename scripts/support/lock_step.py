@@ -40,8 +40,8 @@ class LockStep:
         return all(p.get_num_connections() > 0 for p in (*self.publishers.values(), self.static))
 
     def answer(self, stamp, messages, seconds):
-        """(ObstacleArray, ClusterArray) of a frame; None when the camera's part is not in by `seconds` of
-        wall time."""
+        """(ObstacleArray, ClusterArray) of a frame; None when the last word, with the camera's part, is
+        not in by `seconds` of wall time."""
         for topic in TOPICS:
             self.publishers[topic].publish(messages[topic])
         with self.changed:
