@@ -4,6 +4,7 @@
 #include <message_filters/sync_policies/approximate_time.h>
 #include <message_filters/synchronizer.h>
 
+#include <boost/bind/bind.hpp>
 #include <boost/make_shared.hpp>
 
 #include <cmath>
@@ -21,7 +22,7 @@ using namespace field_fusion;
 
 constexpr double kStart = 1000.0, kSeconds = 120.0, kMaxInterval = 0.05;
 constexpr double kLidarPeriod = 0.1, kCameraPeriod = 1.0 / 30.0;
-constexpr double kClusterSpacing = 0.09, kDetectionSpacing = 0.028;  // the rival's bounds: never closer
+constexpr double kClusterSpacing = 0.096, kDetectionSpacing = 0.0293;  // the rival's bounds: never closer
 constexpr int kSeeds = 21, kQueue = 30;
 
 struct Arrival {
@@ -47,7 +48,7 @@ std::vector<Arrival> arrivals(unsigned seed) {
   };
   add(kStart, kLidarPeriod, lidar, true);
   add(first, kCameraPeriod * 1.0007, camera, false);  // the phases drift through one another
-  std::sort(out.begin(), out.end(), [](const Arrival& a, const Arrival& b) { return a.now < b.now; });
+  std::stable_sort(out.begin(), out.end(), [](const Arrival& a, const Arrival& b) { return a.now < b.now; });
   return out;
 }
 
@@ -109,11 +110,10 @@ Result rival(const std::vector<Arrival>& stream) {
   std::map<double, double> arrived;
   Result out;
   double now = 0.0;
-  const boost::function<void(const ClusterArray::ConstPtr&, const ImageDetectionArray::ConstPtr&)> on_pair =
-      [&](const auto& c, const auto& d) {
-        out.pair(now, c->header.stamp.toSec(), d->header.stamp.toSec(), arrived);
-      };
-  sync.registerCallback(on_pair);
+  const auto on_pair = [&](const ClusterArray::ConstPtr& c, const ImageDetectionArray::ConstPtr& d) {
+    out.pair(now, c->header.stamp.toSec(), d->header.stamp.toSec(), arrived);
+  };
+  sync.registerCallback(boost::bind<void>(on_pair, boost::placeholders::_1, boost::placeholders::_2));
   for (const Arrival& a : stream) {
     now = a.now;
     out.clusters += a.lidar;
@@ -128,7 +128,7 @@ Result rival(const std::vector<Arrival>& stream) {
 
 void benchLatency() {
   std::printf(
-      "both: max interval %.0f ms. message_filters: queue %d, inter-message lower bounds %.0f and %.0f ms, "
+      "both: max interval %.0f ms. message_filters: queue %d, inter-message lower bounds %.1f and %.1f ms, "
       "age "
       "penalty 0.1. field_fusion: the camera's spacing is learnt.\n",
       1e3 * kMaxInterval, kQueue, 1e3 * kClusterSpacing, 1e3 * kDetectionSpacing);

@@ -233,11 +233,24 @@ TEST_F(MatchStage, OffsetBeyondHalfOfTheIntervalIsAWarning) {
   }));
 }
 
+TEST_F(MatchStage, WithoutAnyFrameCamerasAloneAreDroppedAndNamed) {
+  Received<ObstacleArray> out("none/obstacles");
+  Sender<ImageDetectionArray> detections("none/detections");
+  const std::string key = "detections: dropped, no frame for what cameras see";
+  EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("match_none", key).empty(); },
+                        [&] { detections.send(detectionsAt(next(), {4.f})); }));
+  EXPECT_EQ(out.count, 0);
+}
+
 TEST_F(MatchStage, TwoCamerasEachWithItsClockAnswerForOneLidar) {
   Received<ObstacleArray> out("two/obstacles");
   Sender<ClusterArray> clusters("two/clusters");
   Sender<ImageDetectionArray> left("two/left/detections"), right("two/right/detections");
   ASSERT_TRUE(spinUntil([&] { return clusters.connected() && left.connected() && right.connected(); }));
+  const auto alone = [&] { return out.last && out.last->obstacles.size() == 1; };
+  ASSERT_TRUE(spinUntil(alone, [&] { left.send(detectionsAt(next(), {4.f})); })) << "no clusters yet";
+  EXPECT_EQ(out.last->header.frame_id, "lidar") << "by the parameter frame";
+
   const auto both = [&] {
     return out.last && out.last->revision == 1 && out.last->obstacles.size() == 3 &&
            out.last->obstacles[0].reason == Obstacle::MATCHED;

@@ -120,7 +120,8 @@ bool Sync::settled(const Camera& camera, double stamp, double now) const {
   if (camera.items.empty()) return false;
   const double last = camera.items.back().stamp;
   if (last >= stamp) return true;
-  return last + camera.spacing.least() - stamp >= std::min(stamp - last, params_.max_interval);
+  const double slack = kSlack * params_.max_interval;
+  return last + camera.spacing.least() - stamp >= std::min(stamp - last - slack, params_.max_interval);
 }
 
 bool Sync::ready(const Waiting& waiting, double now) const {

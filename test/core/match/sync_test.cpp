@@ -82,18 +82,19 @@ TEST_F(SyncTest, IntervalIsInclusiveAndBeyondItNothingPairs) {
 }
 
 TEST_F(SyncTest, WithoutKnownSpacingALaterMessageDecides) {
-  detections(9.999, 0.0);
+  detections(9.99, 0.0);
   clusters(10.0, 0.0);
   EXPECT_EQ(out(0.0), Stamps{});
   detections(10.03, 0.03);
-  EXPECT_EQ(frames(0.03).at(0).detections, Stamps{9.999});
+  EXPECT_EQ(frames(0.03).at(0).detections, Stamps{9.99});
 }
 
 TEST_F(SyncTest, KnownSpacingDecidesBeforeALaterMessage) {
-  learn();                                  // the last at 10 - 1/30
-  clusters(10.0 - 1 / 30.0 + 0.0166, 0.0);  // nearer to it than to the next
+  learn();                                   // the last at 10 - 1/30
+  const double limit = 0.5 / 30.0 + 0.0025;  // half of the spacing, and of a tenth of max_interval
+  clusters(10.0 - 1 / 30.0 + limit - 1e-6, 0.0);
   EXPECT_EQ(out(0.0).size(), 1u);
-  clusters(10.0 - 1 / 30.0 + 0.0168, 0.0);  // the next may be nearer
+  clusters(10.0 - 1 / 30.0 + limit + 1e-6, 0.0);  // the next may be nearer
   EXPECT_EQ(out(0.0), Stamps{});
 }
 
@@ -268,8 +269,8 @@ TEST_F(SyncTest, ResetForgetsWhatWaits) {
   EXPECT_EQ(out(0.2), Stamps{});
 }
 
-/// The stated rule, slowly, on jittered stamps and arrivals with nothing learnt too early.
-TEST_F(SyncTest, PairsAreTheNearestOfAll) {
+/// The stated rule, slowly, on jittered stamps and arrivals.
+TEST_F(SyncTest, NoOtherIsNearerByMoreThanATenthOfTheInterval) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> jitter(-0.004, 0.004), latency(0.0, 0.08);
   struct Arrival {
@@ -298,11 +299,11 @@ TEST_F(SyncTest, PairsAreTheNearestOfAll) {
       });
       ASSERT_EQ(frame.detections.size(), 1u);
       ++total;
-      nearest += frame.detections[0] == best;
+      nearest += std::abs(frame.detections[0] - frame.stamp) <= std::abs(best - frame.stamp) + 0.005;
     }
   }
   EXPECT_GE(total, 195u);
-  EXPECT_GE(nearest, total - 10) << "the spacing is learnt, not known";
+  EXPECT_GE(nearest, total - 2) << "the spacing is learnt, not known";
 }
 
 TEST(SyncParams, NamesAreCheckedAndDefaultsAreValid) {

@@ -40,7 +40,8 @@ class Spacing {
 
 /// For each cluster array and camera the detection array that is nearest in corrected time, no farther than
 /// `max_interval`; decided as soon as no later one can be nearer, or near enough: when one with a stamp not
-/// before the clusters' has come, or the camera's usual spacing tells that the next will lie farther off.
+/// before the clusters' has come, or the camera's least spacing tells that the next will lie farther off, or
+/// nearer by no more than a tenth of `max_interval`, which is not worth a period of the camera.
 /// Nobody waits longer than `partner_timeout`, nor for a camera that has been silent for so long. Every
 /// cluster array that waits comes out once, in the order of stamps, with those cameras that answered.
 ///
@@ -103,6 +104,7 @@ class Sync {
   };
   static constexpr std::size_t kQueue = 64;
   static constexpr double kMemory = 1.0;  // [s]
+  static constexpr double kSlack = 0.1;   // of max_interval
 
   void hear(double now);
   bool silent(double heard, double now) const;
