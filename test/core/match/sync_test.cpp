@@ -2,60 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/make_shared.hpp>
-
 #include <algorithm>
 #include <random>
+
+#include "support/sync_probe.h"
 
 namespace field_fusion::core {
 namespace {
 
-/// What came out: the stamp of a frame and that of each camera's detections, NaN for none.
-struct Out {
-  double stamp;
-  std::vector<double> detections;
-  bool clusters;
-};
-
-class SyncTest : public testing::Test {
- protected:
-  bool clusters(double stamp, double now) {
-    return sync().addClusters(stamp, now, boost::make_shared<double>(stamp));
-  }
-  bool detections(double stamp, double now, std::size_t camera = 0) {
-    return sync().addDetections(camera, stamp, now, boost::make_shared<double>(stamp));
-  }
-  std::vector<Out> frames(double now) {
-    std::vector<Out> out;
-    while (const auto frame = sync().next(now)) {
-      out.push_back({frame->stamp, {}, frame->clusters != nullptr});
-      for (const auto& answer : frame->answers)
-        out.back().detections.push_back(
-            answer.detections ? *boost::static_pointer_cast<const double>(answer.detections) : double(kNaN));
-    }
-    return out;
-  }
-  /// The stamps of frames, negative where the first camera has no part.
-  std::vector<double> out(double now) {
-    std::vector<double> stamps;
-    for (const Out& frame : frames(now))
-      stamps.push_back(std::isnan(frame.detections[0]) ? -frame.stamp : frame.stamp);
-    return stamps;
-  }
-  /// A camera at 30 Hz before the clusters of 10.0, from wall time 0 on.
-  void learn() {
-    for (int i = 30; i > 0; --i) detections(10.0 - i / 30.0, 0.0);
-  }
-  Sync& sync() {
-    if (!sync_) sync_.emplace(params_);
-    return *sync_;
-  }
-
-  SyncParams params_;  // max_interval 0.05 s, partner_timeout 0.5 s
-  std::optional<Sync> sync_;
-};
-
-using Stamps = std::vector<double>;
+class SyncTest : public SyncProbe {};
 
 TEST_F(SyncTest, NothingGivesNothing) {
   EXPECT_EQ(out(100.0), Stamps{});
@@ -165,7 +120,7 @@ TEST_F(SyncTest, ConstantOffsetOfTheClocksPairsWrongUnlessItIsGiven) {
     for (int i = 0; i < 50; ++i) {
       clusters(10.0 + 0.1 * i, 0.1 * i);
       detections(10.08 + 0.1 * i, 0.1 * i);
-      for (const Out& frame : frames(0.1 * i)) errors.push_back(frame.detections[0] - 0.08 - frame.stamp);
+      for (const SyncOut& frame : frames(0.1 * i)) errors.push_back(frame.detections[0] - 0.08 - frame.stamp);
     }
     ASSERT_GT(errors.size(), 45u);
     for (std::size_t i = 1; i < errors.size(); ++i)
@@ -181,66 +136,6 @@ TEST_F(SyncTest, OffsetIsTheStampsDifferenceAfterCorrection) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->answers[0].detections, nullptr);
   EXPECT_NEAR(frame->answers[0].offset, 0.22, 1e-9) << "told also where it is too far";
-}
-
-TEST_F(SyncTest, EachCameraAnswersForItselfAndPartsGoOutAtTheTimeout) {
-  params_.cameras = {"left", "right"};
-  params_.time_offsets = {{"right", 1.0}};
-  clusters(10.0, 0.0);
-  detections(10.0, 0.1, 0);
-  EXPECT_EQ(frames(0.1).size(), 0u);
-  detections(9.01, 0.2, 1);
-  EXPECT_EQ(frames(0.2).at(0).detections, (Stamps{10.0, 9.01}));
-  clusters(10.1, 0.3);
-  detections(10.1, 0.4, 0);
-  const auto parts = frames(0.8);
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts[0].detections[0], 10.1);
-  EXPECT_TRUE(std::isnan(parts[0].detections[1]));
-}
-
-TEST_F(SyncTest, SilentLidarLetsEachDetectionArrayOut) {
-  clusters(10.0, 0.0), detections(10.0, 0.0);
-  EXPECT_EQ(out(0.0), Stamps{10.0});
-  for (int i = 1; i <= 8; ++i) {
-    detections(10.0 + 0.1 * i, 0.1 * i);
-    if (i >= 5) continue;
-    EXPECT_EQ(out(0.1 * i), Stamps{});
-  }
-  const auto seen = frames(0.8);
-  ASSERT_EQ(seen.size(), 8u);
-  for (int i = 1; i <= 8; ++i) {
-    EXPECT_FALSE(seen[i - 1].clusters);
-    EXPECT_NEAR(seen[i - 1].stamp, 10.0 + 0.1 * i, 1e-9);
-  }
-  EXPECT_TRUE(sync().idle());
-  EXPECT_EQ(sync().counts().camera_only, 8u);
-}
-
-TEST_F(SyncTest, LidarThatNeverCameIsSilentAfterTheTimeout) {
-  detections(10.0, 0.0);
-  EXPECT_EQ(out(0.4), Stamps{});
-  EXPECT_FALSE(sync().idle());
-  EXPECT_EQ(out(0.5), Stamps{10.0});
-}
-
-TEST_F(SyncTest, CamerasAloneAreBroughtTogether) {
-  params_.cameras = {"left", "right"};
-  std::size_t both = 0;
-  for (int i = 0; i < 40; ++i) {
-    detections(10.0 + 0.1 * i, 0.1 * i, 0);
-    detections(10.01 + 0.1 * i, 0.1 * i, 1);
-    for (const Out& frame : frames(0.1 * i))
-      both += std::abs(frame.detections[1] - frame.stamp - 0.01) < 1e-9;
-  }
-  EXPECT_GE(both, 39u);
-}
-
-TEST_F(SyncTest, ReturningLidarNeverGoesBackInTime) {
-  detections(10.0, 0.0), detections(10.1, 0.6);
-  EXPECT_EQ(out(0.6).size(), 2u);
-  EXPECT_FALSE(clusters(10.05, 0.7)) << "older than what went out: alone, at once";
-  EXPECT_TRUE(clusters(10.15, 0.8));
 }
 
 TEST_F(SyncTest, StampsThatGoBackStartAnew) {
@@ -293,7 +188,7 @@ TEST_F(SyncTest, NoOtherIsNearerByMoreThanATenthOfTheInterval) {
   std::size_t nearest = 0, total = 0;
   for (const Arrival& a : arrivals) {
     a.lidar ? clusters(a.stamp, a.now) : detections(a.stamp, a.now);
-    for (const Out& frame : frames(a.now)) {
+    for (const SyncOut& frame : frames(a.now)) {
       const double best = *std::min_element(camera.begin(), camera.end(), [&](double x, double y) {
         return std::abs(x - frame.stamp) < std::abs(y - frame.stamp);
       });
