@@ -39,6 +39,15 @@ find_package(PCL REQUIRED COMPONENTS registration)
 target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 
+# benchmarks against ROS itself
+file(GLOB bench_sources CONFIGURE_DEPENDS bench/ros/bench_*.cpp)
+foreach(source ${bench_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} core_test_support field_fusion_ros)
+  list(APPEND tools ${name})
+endforeach()
+
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
 foreach(library field_fusion_core ${run_time_libraries})
   set_target_properties(${library} PROPERTIES

@@ -25,6 +25,8 @@ class Report:
         self.subscriber = rospy.Subscriber("/obstacles", ObstacleArray, self.on_obstacles, queue_size=50)
 
     def on_obstacles(self, array):
+        if array.provisional:
+            return
         self.arrays += 1
         fused = [o for o in array.obstacles if o.source == Obstacle.SOURCE_BOTH]
         frame = round((array.header.stamp.to_sec() - START) / PERIOD) % FRAMES

@@ -13,6 +13,7 @@ class MarkersNodelet : public StageNodelet<MarkersParams> {
     markers_ = output<visualization_msgs::MarkerArray>("markers");
     input<ObstacleArray>("obstacles", [this](const auto& obstacles) {
       check(*obstacles);
+      if (obstacles->provisional) return;  // drawn in turn with the last word, it would flicker
       markers_.publish(drawer_.draw(*obstacles));
     });
   }

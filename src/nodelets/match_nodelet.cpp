@@ -1,54 +1,55 @@
-// clusters, detections -> [pair by stamp, match] -> obstacles
+// clusters, detections of some cameras -> [bring together by stamp, match] -> obstacles
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/ros/convert.h"
-#include "field_fusion/ros/match_pair.h"
+#include "field_fusion/ros/match_flow.h"
 #include "field_fusion/ros/stage.h"
 
 namespace field_fusion {
 
 class MatchNodelet : public StageNodelet<core::MatchParams> {
   void onStart() override {
-    onParams();
-    sync_ = std::make_unique<PairSync>(params().sync);
+    flow_ = std::make_unique<MatchFlow>(params(), tf());
     obstacles_ = output<ObstacleArray>("obstacles");
-    clusters_ = &input<ClusterArray>("clusters", [this](const auto& clusters) { add(clusters); });
-    clusters_->deferred = true;  // until they go out
-    detections_ = &input<ImageDetectionArray>(
-        "detections", [this](const auto& detections) { add(detections); },
-        [this](const auto& detections) { return tf().has(frame_, detections.header); });
+    clusters_ = &input<ClusterArray>("clusters", [this](const auto& clusters) { onClusters(clusters); });
+    clusters_->deferred = true;  // until their last revision
+    for (std::size_t i = 0; i < params().sync.cameraCount(); ++i)
+      detections_.push_back(&input<ImageDetectionArray>(
+          params().sync.topicOf(i), [this, i](const auto& detections) { onDetections(i, detections); },
+          [this, i](const auto& detections) { return flow_->placeable(i, detections); }));
     poll_ = every(0.01, [this] { release(); });
   }
-
-  void onParams() override { matcher_.setParams(params()); }
-  void onTimeJump() override { sync_->reset(); }
-  template <class Pointer>
-  void add(const Pointer& message) {
-    check(*message);
-    const bool in_time = sync_->add(message, ros::WallTime::now());
-    if (!in_time) fault(*detections_, message->header.stamp, "too late for clusters");
+  void onParams() override { flow_->onParams(); }
+  void onTimeJump() override { flow_->reset(); }
+  void onClusters(const ClusterArray::ConstPtr& clusters) {
+    check(*clusters);
+    const auto now = ros::WallTime::now();
+    const auto obstacles = flow_->add(clusters, now);
+    obstacles_.publish(obstacles);
+    if (!obstacles->provisional) count(*clusters_, now);
+    release();
+  }
+  void onDetections(std::size_t camera, const ImageDetectionArray::ConstPtr& detections) {
+    check(*detections);
+    if (!flow_->add(camera, detections, ros::WallTime::now()))
+      fault(*detections_[camera], detections->header.stamp, "too late for clusters");
     release();
   }
   void release() {
-    while (const auto pair = sync_->next(ros::WallTime::now())) publish(*pair);
-    sync_->empty() ? poll_.stop() : poll_.start();
+    while (const auto matched = flow_->next(ros::WallTime::now())) {
+      if (matched->obstacles) obstacles_.publish(matched->obstacles);
+      if (matched->arrival) count(*clusters_, *matched->arrival);
+      for (std::size_t i = 0; i < matched->faults.size(); ++i)
+        if (!matched->faults[i].empty()) fault(*detections_[i], matched->stamp, matched->faults[i]);
+    }
+    flow_->idle() ? poll_.stop() : poll_.start();
   }
-  void publish(const PairSync::Pair& pair) {
-    std::string no_place;  // why the camera's bodies have none
-    frame_ = pair.clusters->header.frame_id;
-    obstacles_.publish(matchPair(matcher_, pair, tf(), no_place));
-    count(*clusters_, pair.arrival);
-    if (!no_place.empty()) fault(*detections_, pair.detections->header.stamp, no_place);
-  }
-  void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
-    const auto& n = sync_->counts();
-    status.addf("pairs, clusters alone, detections too late", "%lu %lu %lu", n.pairs, n.alone, n.late);
-  }
-  core::Matcher matcher_;
-  std::unique_ptr<PairSync> sync_;
-  std::string frame_;  // of the last clusters; empty: none yet
+  void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& s) override { flow_->describe(s); }
+
+  std::unique_ptr<MatchFlow> flow_;
   Output<ObstacleArray> obstacles_;
-  InputPort *clusters_ = nullptr, *detections_ = nullptr;
+  InputPort* clusters_ = nullptr;
+  std::vector<InputPort*> detections_;
   ros::WallTimer poll_;
 };
 using MatchStage = Unloadable<MatchNodelet>;

@@ -54,6 +54,8 @@ Obstacle toMessage(const core::Obstacle& in, std::uint32_t id) {
   Obstacle out;
   out.id = id;
   out.cluster_id = in.cluster;
+  out.part = static_cast<std::uint8_t>(in.part);
+  out.camera = in.camera;
   out.detection_id = in.detection;
   out.source = static_cast<std::uint8_t>(in.source);
   out.position = xyz<geometry_msgs::Point>(in.position);
@@ -68,6 +70,7 @@ Obstacle toMessage(const core::Obstacle& in, std::uint32_t id) {
   out.reason = static_cast<std::uint8_t>(in.verdict.reason);
   out.range_difference = static_cast<float>(in.verdict.range_difference);
   out.azimuth_difference = static_cast<float>(in.verdict.azimuth_difference);
+  out.distance = static_cast<float>(in.verdict.distance);
   return out;
 }
 
@@ -103,22 +106,35 @@ std::vector<core::Cluster> clustersOf(const ClusterArray& message) {
   return out;
 }
 
-std::vector<core::CameraTarget> cameraTargetsOf(const ImageDetectionArray& message,
-                                                const core::Transform* T_lidar_camera) {
-  std::vector<core::CameraTarget> out;
-  out.reserve(message.detections.size());
+std::vector<core::Point> pointsOf(const ClusterArray& message) {
+  std::vector<core::Point> out(message.points.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto& point = message.points[i];
+    out[i].x = point.x, out[i].y = point.y, out[i].z = point.z;
+  }
+  return out;
+}
+
+core::CameraView cameraViewOf(const ImageDetectionArray& message, const core::Transform* T_lidar_camera) {
+  core::CameraView out;
+  if (T_lidar_camera) out.T_view_lidar = core::viewFromOptical() * T_lidar_camera->inverse();
   for (const auto& detection : message.detections) {
-    out.push_back(fromMessage(detection));
-    if (T_lidar_camera) core::carryToLidar(out.back(), vectorOf(detection.ray), *T_lidar_camera);
+    auto& target = out.targets.emplace_back(fromMessage(detection));
+    if (!T_lidar_camera) continue;
+    const auto ray = vectorOf(detection.ray);
+    core::look(target, ray, vectorOf(detection.ray_min), vectorOf(detection.ray_max));
+    core::carryToLidar(target, ray, *T_lidar_camera);
   }
   return out;
 }
 
 boost::shared_ptr<ObstacleArray> obstacleMessage(const std_msgs::Header& header, std::uint8_t revision,
+                                                 bool provisional,
                                                  const std::vector<core::Obstacle>& obstacles) {
   auto out = boost::make_shared<ObstacleArray>();
   out->header = header;
   out->revision = revision;
+  out->provisional = provisional;
   out->obstacles.reserve(obstacles.size());
   for (const auto& obstacle : obstacles)
     out->obstacles.push_back(toMessage(obstacle, static_cast<std::uint32_t>(out->obstacles.size())));

@@ -43,15 +43,30 @@ const char* faultOf(const Cluster& c, std::size_t place, std::size_t point_count
   return nullptr;
 }
 
+/// NaN passes: unknown.
+template <class Xyz>
+bool notUnit(const Xyz& p) {
+  return std::abs(p.x * p.x + p.y * p.y + p.z * p.z - 1.0) > 1e-3;
+}
+
+/// False for NaN. The size of the image may be unknown (0).
+bool isBox(const ImageDetection& d, const ImageDetectionArray& image) {
+  const auto within = [](float low, float high, std::uint32_t size) {
+    return low <= high && std::isfinite(high - low) &&
+           (size == 0 || (high >= 0.f && low <= static_cast<float>(size)));
+  };
+  return within(d.x_min, d.x_max, image.width) && within(d.y_min, d.y_max, image.height);
+}
+
 bool infiniteOrNegative(float x) { return std::isinf(x) || x < 0.f; }
 
-const char* faultOf(const ImageDetection& d, std::size_t place) {
+const char* faultOf(const ImageDetection& d, std::size_t place, const ImageDetectionArray& image) {
   if (d.id != place) return "has an id that is not its place";
+  if (!isBox(d, image)) return "has a box that is inside out, not finite or outside the image";
   if (!(d.score >= 0.f && d.score <= 1.f)) return "has a score outside 0..1";
   if (infiniteOrNegative(d.range) || infiniteOrNegative(d.range_sigma))
     return "has a negative or infinite range";
-  const double norm2 = d.ray.x * d.ray.x + d.ray.y * d.ray.y + d.ray.z * d.ray.z;
-  if (std::abs(norm2 - 1.0) > 1e-3) return "has a ray that is no unit vector";  // NaN passes: unknown
+  if (notUnit(d.ray) || notUnit(d.ray_min) || notUnit(d.ray_max)) return "has a ray that is no unit vector";
   return nullptr;
 }
 
@@ -63,7 +78,8 @@ const char* faultOf(const Obstacle& o) {
   if ((known(o.range) && !isRange(o.range)) || (known(o.azimuth) && !isAngle(o.azimuth)) ||
       (known(o.elevation) && !isAngle(o.elevation)))
     return "has a range or angle that is impossible";
-  if (std::isinf(o.range_difference) || std::isinf(o.azimuth_difference)) return "has an infinite difference";
+  if (std::isinf(o.range_difference) || std::isinf(o.azimuth_difference) || std::isinf(o.distance))
+    return "has an infinite difference";
   return nullptr;
 }
 
@@ -83,7 +99,7 @@ void check(const ClusterArray& message) {
 
 void check(const ImageDetectionArray& message) {
   for (std::size_t i = 0; i < message.detections.size(); ++i)
-    if (const char* fault = faultOf(message.detections[i], i))
+    if (const char* fault = faultOf(message.detections[i], i, message))
       throw std::runtime_error("detections damaged: number " + std::to_string(i) + " " + fault);
 }
 

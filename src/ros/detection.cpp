@@ -14,6 +14,14 @@ namespace {
 
 namespace encoding = sensor_msgs::image_encodings;
 
+geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 out;
+  out.x = v.x();
+  out.y = v.y();
+  out.z = v.z();
+  return out;
+}
+
 void setBearingAndRange(ImageDetection& out, const core::Detection& detection, double input_scale,
                         const CameraModel& camera, const core::Plane& ground,
                         const core::RangeParams& params) {
@@ -21,9 +29,9 @@ void setBearingAndRange(ImageDetection& out, const core::Detection& detection, d
   const auto box = camera.rectified(detection.box);
   const auto middle = box.centre();
   const auto bearing = core::bearing({middle.x, middle.y}, pinhole);
-  out.ray.x = bearing.ray.x();
-  out.ray.y = bearing.ray.y();
-  out.ray.z = bearing.ray.z();
+  out.ray = vectorMessage(bearing.ray);
+  out.ray_min = vectorMessage(core::bearing({box.x_min, box.y_min}, pinhole).ray);
+  out.ray_max = vectorMessage(core::bearing({box.x_max, box.y_max}, pinhole).ray);
   out.azimuth = static_cast<float>(bearing.azimuth);
   out.elevation = static_cast<float>(bearing.elevation);
   const auto by_height = core::rangeFromHeight(out.label, box, detection.cut, input_scale, pinhole, params);
@@ -40,7 +48,7 @@ static_assert((ImageDetection::RANGE_FROM_HEIGHT | ImageDetection::RANGE_FROM_GR
 
 ImageDetection unknownInSpace() {
   ImageDetection out;
-  out.ray.x = out.ray.y = out.ray.z = core::kNaN;
+  out.ray = out.ray_min = out.ray_max = vectorMessage(Eigen::Vector3d::Constant(core::kNaN));
   out.azimuth = out.elevation = out.depth = out.range = out.range_sigma = core::kNaN;
   return out;
 }

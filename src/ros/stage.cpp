@@ -137,7 +137,7 @@ void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damag
   port.last_arrival = arrival.at;
   port.last = arrival.message;
   if (!damage.empty()) return fault(port, stamp, damage);
-  if (!inOrder(port, stamp)) return;
+  if (!inOrder(port, arrival)) return;
   if (!waits(port) && (!arrival.ready || arrival.ready())) {
     handle(port, arrival);
     return release();  // what waits on another input may have waited for this
@@ -169,12 +169,13 @@ void Stage::release() {
   if (held_.empty()) hold_timer_.stop();
 }
 
-bool Stage::inOrder(InputPort& port, const ros::Time& stamp) {
+bool Stage::inOrder(InputPort& port, const Arrival& arrival) {
+  const ros::Time& stamp = arrival.message.stamp;
   if (stamp.isZero()) {
     fault(port, stamp, "stamp is zero");
     return false;
   }
-  switch (port.order.check(static_cast<std::int64_t>(stamp.toNSec()))) {
+  switch (port.order.check(static_cast<std::int64_t>(stamp.toNSec()), arrival.revision)) {
     case core::StampOrder::Verdict::kNewer:
       return true;
     case core::StampOrder::Verdict::kTimeJump:

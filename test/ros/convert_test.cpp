@@ -29,6 +29,8 @@ ImageDetection detection() {
   out.label = "boat";
   out.score = 0.75f;
   out.ray.z = 1.0;
+  out.ray_min.x = out.ray_min.y = -0.6, out.ray_min.z = std::sqrt(0.28);
+  out.ray_max.x = out.ray_max.y = 0.6, out.ray_max.z = std::sqrt(0.28);
   out.range = 4.f;
   out.range_sigma = 0.5f;
   return out;
@@ -85,6 +87,13 @@ TEST(ClusterMessage, PointsAreThoseOfTheClusters) {
     EXPECT_EQ(message->points[i].y, clusters.points[i].y);
     EXPECT_EQ(message->points[i].z, clusters.points[i].z);
   }
+}
+
+TEST(ClusterMessage, PointsComeBack) {
+  const auto clusters = twoClusters();
+  const auto back = pointsOf(*clusterMessage(header(), clusters));
+  ASSERT_EQ(back.size(), clusters.points.size());
+  for (std::size_t i = 0; i < back.size(); ++i) EXPECT_EQ(back[i].position(), clusters.points[i].position());
 }
 
 TEST(ClusterMessage, EmptyStaysEmpty) {
@@ -158,46 +167,74 @@ TEST(CheckDetections, NamesWhatIsWrongAndLetsTheUnknownPass) {
             "detections damaged: number 0 has a score outside 0..1");
   EXPECT_EQ(faultAfter([](auto& d) { d.range = -1.f; }),
             "detections damaged: number 0 has a negative or infinite range");
-  EXPECT_EQ(faultAfter([](auto& d) { d.ray.z = 0.5; }),
-            "detections damaged: number 0 has a ray that is no unit vector");
+  const std::string ray = "detections damaged: number 0 has a ray that is no unit vector";
+  EXPECT_EQ(faultAfter([](auto& d) { d.ray.z = 0.5; }), ray);
+  EXPECT_EQ(faultAfter([](auto& d) { d.ray_max.z = 0.0; }), ray);
+}
+
+TEST(CheckDetections, BoxMustBeInTheImage) {
+  const auto faultWith = [](float x_min, float x_max) {
+    ImageDetectionArray message;
+    message.width = 640, message.height = 480;
+    message.detections = {detection()};
+    auto& d = message.detections[0];
+    d.x_min = x_min, d.x_max = x_max, d.y_min = 10.f, d.y_max = 20.f;
+    return faultIn(message);
+  };
+  const std::string box =
+      "detections damaged: number 0 has a box that is inside out, not finite or outside the image";
+  EXPECT_EQ(faultWith(630.f, 650.f), "") << "reaches beyond it";
+  EXPECT_EQ(faultWith(641.f, 650.f), box);
+  EXPECT_EQ(faultWith(-9.f, -1.f), box);
+  EXPECT_EQ(faultWith(9.f, 8.f), box);
+  EXPECT_EQ(faultWith(NAN, 8.f), box);
+  EXPECT_EQ(faultWith(0.f, INFINITY), box);
 }
 
 TEST(CameraTargets, AreCarriedByTheTransform) {
   ImageDetectionArray message;
   message.detections = {detection()};
   const core::Transform T_lidar_camera(Eigen::Translation3d(1, 2, 3));
-  const auto targets = cameraTargetsOf(message, &T_lidar_camera);
+  const auto view = cameraViewOf(message, &T_lidar_camera);
+  const auto& targets = view.targets;
   ASSERT_EQ(targets.size(), 1u);
   EXPECT_EQ(targets[0].label, "boat");
   EXPECT_EQ(targets[0].score, 0.75);
   EXPECT_EQ(targets[0].range_sigma, 0.5);
   EXPECT_TRUE(targets[0].position.isApprox(Eigen::Vector3d(1, 2, 7)));
+  EXPECT_TRUE((view.T_view_lidar * targets[0].position).isApprox(Eigen::Vector3d(4, 0, 0)));
+  EXPECT_NEAR(targets[0].box.left, 0.6 / std::sqrt(0.28), 1e-9);
+  EXPECT_NEAR(targets[0].box.bottom, -0.6 / std::sqrt(0.28), 1e-9);
 }
 
 TEST(CameraTargets, WithoutTransformHaveNoPlace) {
   ImageDetectionArray message;
   message.detections = {detection()};
-  const auto targets = cameraTargetsOf(message, nullptr);
+  const auto targets = cameraViewOf(message, nullptr).targets;
   ASSERT_EQ(targets.size(), 1u);
   EXPECT_TRUE(std::isnan(targets[0].polar.azimuth));
+  EXPECT_TRUE(std::isnan(targets[0].seen.azimuth));
   EXPECT_TRUE(targets[0].position.array().isNaN().all());
 }
 
 TEST(ObstacleMessage, CarriesEveryField) {
   core::Obstacle in;
-  in.cluster = 3, in.detection = 4, in.source = core::ObstacleSource::kBoth;
+  in.cluster = 3, in.part = 2, in.camera = 1, in.detection = 4, in.source = core::ObstacleSource::kBoth;
   in.position = {1, 2, 3}, in.size = {4, 5, 6};
   in.covariance << 1, 2, 3, 2, 5, 6, 3, 6, 9;
   in.existence = 0.5, in.label = "boat", in.label_probability = 0.25;
   in.polar = {7, 0.5, -0.5};
-  in.verdict = {9, core::MatchReason::kMatched, 0.125, -0.25};
-  const auto message = obstacleMessage(header(), 1, {in, in});
+  in.verdict = {9, core::MatchReason::kMatched, 0.125, -0.25, 1.5};
+  const auto message = obstacleMessage(header(), 1, true, {in, in});
   EXPECT_EQ(message->header, header());
   EXPECT_EQ(message->revision, 1);
+  EXPECT_TRUE(message->provisional);
   ASSERT_EQ(message->obstacles.size(), 2u);
   const auto& o = message->obstacles[1];
   EXPECT_EQ(o.id, 1u);
   EXPECT_EQ(o.cluster_id, 3);
+  EXPECT_EQ(o.part, 2);
+  EXPECT_EQ(o.camera, 1);
   EXPECT_EQ(o.detection_id, 4);
   EXPECT_EQ(o.source, Obstacle::SOURCE_BOTH);
   EXPECT_EQ(o.position.y, 2.0);
@@ -214,6 +251,7 @@ TEST(ObstacleMessage, CarriesEveryField) {
   EXPECT_EQ(o.reason, Obstacle::MATCHED);
   EXPECT_EQ(o.range_difference, 0.125f);
   EXPECT_EQ(o.azimuth_difference, -0.25f);
+  EXPECT_EQ(o.distance, 1.5f);
 }
 
 // core spells the codes of the message once more, because it may not include it
@@ -229,6 +267,7 @@ TEST(ObstacleMessage, CodesAreThoseOfCore) {
   EXPECT_EQ(code(core::MatchReason::kRangeUnknown), Obstacle::RANGE_UNKNOWN);
   EXPECT_EQ(code(core::MatchReason::kNoBearing), Obstacle::NO_BEARING);
   EXPECT_EQ(code(core::MatchReason::kNoPartnerMessage), Obstacle::NO_PARTNER_MESSAGE);
+  EXPECT_EQ(code(core::MatchReason::kElevationDiffers), Obstacle::ELEVATION_DIFFERS);
 }
 
 }  // namespace

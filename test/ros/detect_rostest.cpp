@@ -95,6 +95,11 @@ TEST_F(DetectStage, BoxBearingAndRangeAreThoseComputedByHand) {
   EXPECT_NEAR(d.azimuth, -std::atan(7.5 / 20.0), 1e-5);
   EXPECT_NEAR(d.depth, 20.0 * 1.0 / 8.0, 1e-4);  // Eq. 3: f_y H / h_b
   EXPECT_NEAR(d.range, d.depth * std::sqrt(1.0 + 2.0 * std::pow(7.5 / 20.0, 2)), 1e-4);
+  // its corners (8, 12) and (24, 20), 0.5 px less, against the axis at (8, 8)
+  EXPECT_NEAR(d.ray_min.x / d.ray_min.z, -0.5 / 20.0, 1e-4);
+  EXPECT_NEAR(d.ray_min.y / d.ray_min.z, 3.5 / 20.0, 1e-4);
+  EXPECT_NEAR(d.ray_max.x / d.ray_max.z, 15.5 / 20.0, 1e-4);
+  EXPECT_NEAR(d.ray_max.y / d.ray_max.z, 11.5 / 20.0, 1e-4);
   EXPECT_EQ(d.range_source, ImageDetection::RANGE_FROM_HEIGHT);
   EXPECT_GT(d.range_sigma, 0.f);
 }

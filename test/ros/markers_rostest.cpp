@@ -58,6 +58,23 @@ TEST_F(MarkersStage, DrawsWhatComesAndDeletesWhatWent) {
   EXPECT_TRUE(markers_.last->markers.empty());
 }
 
+TEST_F(MarkersStage, OnlyTheLastWordOfAnInstantIsDrawn) {
+  ObstacleArray array;
+  array.header.frame_id = "lidar";
+  array.header.stamp.fromSec(now_ += 0.1);
+  array.provisional = true;
+  array.obstacles = {obstacleAt(Obstacle::SOURCE_LIDAR, 8, 0)};
+  const int before = markers_.count;
+  obstacles_.send(array);
+  array.provisional = false;
+  array.revision = 1;  // the stamp is that of revision 0
+  array.obstacles = {obstacleAt(Obstacle::SOURCE_BOTH, 8, 0, "car")};
+  obstacles_.send(array);
+  ASSERT_TRUE(spinUntil([&] { return markers_.count > before; }));
+  EXPECT_EQ(namespacesWith(Marker::ADD).count("pair"), 1u);
+  EXPECT_EQ(markers_.count, before + 1);
+}
+
 TEST_F(MarkersStage, StampZeroIsDroppedAndTheNextDrawn) {
   ObstacleArray array;
   obstacles_.send(array);

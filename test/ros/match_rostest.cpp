@@ -38,7 +38,7 @@ ImageDetectionArray detectionsAt(double stamp, const std::vector<float>& ranges,
     d.id = static_cast<std::uint32_t>(out.detections.size());
     d.label = "boat";
     d.score = 0.5f;
-    d.ray.z = 1.0;
+    d.ray.z = d.ray_min.z = d.ray_max.z = 1.0;
     d.range = range;
     d.range_sigma = 0.1f;
     out.detections.push_back(d);
@@ -69,9 +69,11 @@ class MatchStage : public testing::Test {
       clusters_.send(clustersAt(now_, {{5.0, 0.5}}));
     });
   }
-  /// Waits for the answer to the clusters of now_.
+  /// Waits for the last word on the clusters of now_.
   bool answered() {
-    return spinUntil([this] { return out_.last && out_.last->header.stamp == ros::Time(now_); });
+    return spinUntil([this] {
+      return out_.last && out_.last->header.stamp == ros::Time(now_) && !out_.last->provisional;
+    });
   }
   bool reports(const std::string& input, const std::string& kind) {
     return spinUntil([&] { return !diagnostics_.value("match", input + ": dropped, " + kind).empty(); });
@@ -124,10 +126,40 @@ TEST_F(MatchStage, SilentCameraLeavesTheLidarAlone) {
   ASSERT_TRUE(matches());
   clusters_.send(clustersAt(next(), {{5.0, 0.5}}));
   ASSERT_TRUE(answered());
-  EXPECT_EQ(out_.last->revision, 0);
+  EXPECT_EQ(out_.last->revision, 1);
   ASSERT_EQ(out_.last->obstacles.size(), 1u);
   EXPECT_EQ(out_.last->obstacles[0].source, Obstacle::SOURCE_LIDAR);
   EXPECT_EQ(out_.last->obstacles[0].reason, Obstacle::NO_PARTNER_MESSAGE);
+  clusters_.send(clustersAt(next(), {{5.0, 0.5}}));
+  ASSERT_TRUE(answered());
+  EXPECT_EQ(out_.last->revision, 0) << "nobody waits any more";
+  EXPECT_TRUE(matches());
+}
+
+TEST_F(MatchStage, LidarGoesOutAtOnceAndAgainWithTheCamera) {
+  ASSERT_TRUE(matches());
+  clusters_.send(clustersAt(next(), {{5.0, 0.5}}));
+  ASSERT_TRUE(spinUntil([this] { return out_.last->header.stamp == ros::Time(now_); }));
+  EXPECT_EQ(out_.last->revision, 0);
+  EXPECT_TRUE(out_.last->provisional);
+  ASSERT_EQ(out_.last->obstacles.size(), 1u);
+  EXPECT_EQ(out_.last->obstacles[0].source, Obstacle::SOURCE_LIDAR);
+  detections_.send(detectionsAt(now_, {4.f}));
+  ASSERT_TRUE(answered());
+  EXPECT_EQ(out_.last->revision, 1);
+  EXPECT_EQ(out_.last->obstacles[0].reason, Obstacle::MATCHED);
+}
+
+TEST_F(MatchStage, SilentLidarLeavesTheCameraAlone) {
+  ASSERT_TRUE(matches());
+  const auto alone = [this] {
+    return out_.last->obstacles.size() == 1 && out_.last->obstacles[0].source == Obstacle::SOURCE_CAMERA;
+  };
+  ASSERT_TRUE(spinUntil(alone, [this] { detections_.send(detectionsAt(next(), {4.f})); }));
+  EXPECT_EQ(out_.last->header.frame_id, "lidar");
+  EXPECT_EQ(out_.last->revision, 1);
+  EXPECT_NEAR(out_.last->obstacles[0].position.x, 5.0, 1e-5);
+  EXPECT_EQ(out_.last->obstacles[0].cluster_id, -1);
   EXPECT_TRUE(matches());
 }
 
@@ -150,8 +182,20 @@ TEST_F(MatchStage, DamagedMessagesAreDroppedAndNamed) {
   clusters.clusters[0].centre.x = NAN;
   clusters_.send(clusters);
   EXPECT_TRUE(reports("clusters", "clusters damaged"));
-  detections_.send(detectionsAt(next(), {-1.f}));
-  EXPECT_TRUE(reports("detections", "detections damaged"));
+  for (const auto& [score, x_max] : {std::pair<float, float>{NAN, 5.f}, {0.5f, -1.f}}) {
+    const int before =
+        std::atoi(diagnostics_.value("match", "detections: dropped, detections damaged").c_str());
+    auto detections = detectionsAt(next(), {4.f});
+    detections.width = detections.height = 100;
+    detections.detections[0].score = score;
+    detections.detections[0].x_min = -2.f;  // the second box lies outside the image
+    detections.detections[0].x_max = x_max;
+    detections_.send(detections);
+    EXPECT_TRUE(spinUntil([&] {
+      return std::atoi(diagnostics_.value("match", "detections: dropped, detections damaged").c_str()) >
+             before;
+    }));
+  }
   EXPECT_TRUE(matches());
 }
 
@@ -171,10 +215,59 @@ TEST_F(MatchStage, LoopingBagIsATimeJumpAndGoesOn) {
   EXPECT_LT(out_.last->header.stamp.toSec(), now_ + 1.0);
 }
 
-TEST_F(MatchStage, PairsAreCountedInDiagnostics) {
+TEST_F(MatchStage, PairsAndOffsetsAreInDiagnostics) {
   ASSERT_TRUE(matches());
-  const std::string key = "pairs, clusters alone, detections too late";
-  EXPECT_TRUE(spinUntil([&] { return std::atoi(diagnostics_.value("match", key).c_str()) > 0; }));
+  EXPECT_TRUE(spinUntil([&] { return std::atoi(diagnostics_.value("match", "pairs").c_str()) > 0; }));
+  EXPECT_NE(diagnostics_.value("match", "camera: offset to clusters [ms]").find("0..5: "), std::string::npos);
+}
+
+TEST_F(MatchStage, OffsetBeyondHalfOfTheIntervalIsAWarning) {
+  ASSERT_TRUE(matches());
+  const auto warned = [this] {
+    const auto* status = diagnostics_.of("match: stage");
+    return status && status->message.find("time_offset") != std::string::npos;
+  };
+  EXPECT_TRUE(spinUntil(warned, [this] {
+    detections_.send(detectionsAt(next() + 0.04, {4.f}));
+    clusters_.send(clustersAt(now_, {{5.0, 0.5}}));
+  }));
+}
+
+TEST_F(MatchStage, WithoutAnyFrameCamerasAloneAreDroppedAndNamed) {
+  Received<ObstacleArray> out("none/obstacles");
+  Sender<ImageDetectionArray> detections("none/detections");
+  const std::string key = "detections: dropped, no frame for what cameras see";
+  EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("match_none", key).empty(); },
+                        [&] { detections.send(detectionsAt(next(), {4.f})); }));
+  EXPECT_EQ(out.count, 0);
+}
+
+TEST_F(MatchStage, TwoCamerasEachWithItsClockAnswerForOneLidar) {
+  Received<ObstacleArray> out("two/obstacles");
+  Sender<ClusterArray> clusters("two/clusters");
+  Sender<ImageDetectionArray> left("two/left/detections"), right("two/right/detections");
+  ASSERT_TRUE(spinUntil([&] { return clusters.connected() && left.connected() && right.connected(); }));
+  const auto alone = [&] { return out.last && out.last->obstacles.size() == 1; };
+  ASSERT_TRUE(spinUntil(alone, [&] { left.send(detectionsAt(next(), {4.f})); })) << "no clusters yet";
+  EXPECT_EQ(out.last->header.frame_id, "lidar") << "by the parameter frame";
+
+  const auto both = [&] {
+    return out.last && out.last->revision == 1 && out.last->obstacles.size() == 3 &&
+           out.last->obstacles[0].reason == Obstacle::MATCHED;
+  };
+  const auto send = [&] {
+    left.send(detectionsAt(next(), {4.f, 20.f}));
+    auto seen = detectionsAt(now_ + 0.08, {4.f, 20.05f, 60.f});
+    right.send(seen);
+    clusters.send(clustersAt(now_, {{5.0, 0.5}}));
+  };
+  ASSERT_TRUE(spinUntil(both, send));
+  EXPECT_EQ(out.last->obstacles[1].source, Obstacle::SOURCE_CAMERA);
+  EXPECT_NEAR(out.last->obstacles[1].range, 21.0, 0.1) << "seen by both, one obstacle";
+  EXPECT_EQ(out.last->obstacles[2].camera, 1);
+  EXPECT_EQ(out.last->obstacles[2].detection_id, 2);
+  EXPECT_TRUE(
+      spinUntil([&] { return !diagnostics_.value("match_two", "right: offset to clusters [ms]").empty(); }));
 }
 
 }  // namespace

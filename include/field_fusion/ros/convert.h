@@ -17,8 +17,8 @@ namespace field_fusion {
 void check(const ClusterArray& message);
 
 /// Throws std::runtime_error "detections damaged: details" where a detection is not in its place, its score
-/// is no probability, its ray is no unit vector, or its range or sigma is negative or infinite; NaN is
-/// unknown.
+/// is no probability, its box is inside out or not in the image, a ray is no unit vector, or its range or
+/// sigma is negative or infinite; NaN is unknown, but not for score and box.
 void check(const ImageDetectionArray& message);
 
 /// Throws std::runtime_error "obstacles damaged: details" where a number of an obstacle is neither possible
@@ -31,12 +31,15 @@ boost::shared_ptr<ClusterArray> clusterMessage(const std_msgs::Header& header,
 /// The clusters of a message that passed `check`.
 std::vector<core::Cluster> clustersOf(const ClusterArray& message);
 
-/// The detections of a message that passed `check`, carried into the LiDAR's frame. Where `T_lidar_camera` is
-/// null they have neither position nor direction.
-std::vector<core::CameraTarget> cameraTargetsOf(const ImageDetectionArray& message,
-                                                const core::Transform* T_lidar_camera);
+/// Their points, positions alone; Cluster::points names them.
+std::vector<core::Point> pointsOf(const ClusterArray& message);
+
+/// The detections of a message that passed `check`, also carried into the LiDAR's frame. Where
+/// `T_lidar_camera` is null nothing is known of their place.
+core::CameraView cameraViewOf(const ImageDetectionArray& message, const core::Transform* T_lidar_camera);
 
 boost::shared_ptr<ObstacleArray> obstacleMessage(const std_msgs::Header& header, std::uint8_t revision,
+                                                 bool provisional,
                                                  const std::vector<core::Obstacle>& obstacles);
 
 }  // namespace field_fusion

@@ -44,7 +44,7 @@ struct InputPort {
   std::string topic;
   std::function<std::shared_ptr<void>()> subscribe;
   std::shared_ptr<void> subscription;  ///< ends with its last holder
-  core::StampOrder order;
+  core::RevisionOrder order;
   FaultLog faults;
   core::Latency latency;  ///< from arrival to the end of its processing
   MessageTrace last;
@@ -52,7 +52,7 @@ struct InputPort {
   std::uint64_t received = 0, processed = 0, skipped = 0;
   std::uint64_t missing = 0;   ///< gaps of header.seq: sent, but never arrived
   std::uint32_t last_seq = 0;  ///< 0: none yet
-  bool optional = false;  ///< its silence is no fault
+  bool optional = false;       ///< its silence is no fault
   bool deferred = false;       ///< a worker ends the processing by Stage::complete
 };
 

@@ -25,6 +25,16 @@ const std::string& faultOf(const Message&) {
   return none;
 }
 
+/// Messages with a field `revision` may repeat a stamp: each revision is a series of its own.
+template <class Message>
+auto revisionOf(const Message& message, int) -> decltype(message.revision) {
+  return message.revision;
+}
+template <class Message>
+std::uint8_t revisionOf(const Message&, long) {
+  return 0;
+}
+
 /// Base of every stage, without its parameters: derive from StageNodelet. All virtual functions and input
 /// handlers run one at a time. What a handler throws drops that message: it is counted, logged and shown
 /// in /diagnostics, and the next message is taken.
@@ -112,6 +122,7 @@ class Stage : public nodelet::Nodelet {
     std::function<bool()> ready;
     std::function<void()> handle;
     std::uint32_t seq = 0;
+    std::uint8_t revision = 0;
   };
   struct Held {
     InputPort* port;
@@ -129,6 +140,7 @@ class Stage : public nodelet::Nodelet {
             handler(message);
           }};
       arrival.seq = message->header.seq;
+      arrival.revision = revisionOf(*message, 0);
       if (ready) arrival.ready = [ready, message] { return ready(*message); };
       onArrival(port, std::move(arrival), faultOf(*message));
     };
@@ -139,7 +151,7 @@ class Stage : public nodelet::Nodelet {
   void onSubscribersChanged();
   void updateSubscriptions();
   void onArrival(InputPort& port, Arrival arrival, const std::string& damage);
-  bool inOrder(InputPort& port, const ros::Time& stamp);
+  bool inOrder(InputPort& port, const Arrival& arrival);
   void jump(InputPort& port, const ros::Time& stamp);
   void handle(InputPort& port, const Arrival& arrival);
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);

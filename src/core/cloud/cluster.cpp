@@ -11,13 +11,20 @@ constexpr int kFewest = 4;
 
 }  // namespace
 
+void describe(Cluster& cluster, const Point* points, std::size_t count, OrientedBoxFitter* fitter) {
+  for (std::size_t i = 0; i < count; ++i) cluster.box.extend(points[i].position());
+  cluster.centre = (cluster.box.min() + cluster.box.max()) / 2.f;
+  cluster.polar = polar(cluster.centre.cast<double>());
+  if (fitter) cluster.oriented_box = fitter->fit(points, count);
+}
+
 const Clusters& Clusterer::run(const Cloud& cloud) {
   const Sets sets = separate(cloud);
   result_.unusable = cloud.size() - sets.usable;
   measure(cloud, sets);
   order();
   fill(cloud, sets.labels);
-  describe();
+  describeAll();
   return result_;
 }
 
@@ -135,14 +142,10 @@ void Clusterer::fill(const Cloud& cloud, const std::vector<int>& sets) {
   }
 }
 
-void Clusterer::describe() {
-  for (Cluster& cluster : result_.clusters) {
-    const Point* points = result_.points.data() + cluster.points.first;
-    for (std::uint32_t i = 0; i < cluster.points.count; ++i) cluster.box.extend(points[i].position());
-    cluster.centre = (cluster.box.min() + cluster.box.max()) / 2.f;
-    cluster.polar = polar(cluster.centre.cast<double>());
-    if (params_.oriented_boxes) cluster.oriented_box = box_fitter_.fit(points, cluster.points.count);
-  }
+void Clusterer::describeAll() {
+  for (Cluster& cluster : result_.clusters)
+    describe(cluster, result_.points.data() + cluster.points.first, cluster.points.count,
+             params_.oriented_boxes ? &box_fitter_ : nullptr);
 }
 
 }  // namespace field_fusion::core

@@ -1,42 +1,107 @@
 #include "field_fusion/core/match/match.h"
 
+#include <algorithm>
+
 namespace field_fusion::core {
+namespace {
+
+/// How much better one verdict on a body is than that of another camera.
+bool better(const Verdict& a, const Verdict& b) {
+  const auto key = [](const Verdict& v) {
+    const double distance = std::isnan(v.distance) ? std::numeric_limits<double>::infinity() : v.distance;
+    return std::make_tuple(v.partner < 0, v.reason != MatchReason::kTaken, distance);
+  };
+  return key(a) < key(b);
+}
+
+/// Squared Mahalanobis distance of their places; NaN where a place or its covariance is not known.
+double distance2(const Obstacle& a, const Obstacle& b) {
+  const Eigen::Vector3d difference = a.position - b.position;
+  const Eigen::Matrix3d covariance = a.covariance + b.covariance;
+  if (!difference.allFinite() || !covariance.allFinite()) return kNaN;
+  return difference.dot(covariance.ldlt().solve(difference));
+}
+
+}  // namespace
 
 void Matcher::setParams(const MatchParams& params) {
-  params_ = params.obstacle;
+  params_ = params;
+  const double bearing_sigma = radians(params.obstacle.bearing_sigma);
+  Gate gate;
+  gate.setParams(params.gate, params.obstacle.lidar_range_sigma, bearing_sigma);
+  optimal_.setGate(gate);
+  splitter_.setParams(params.split, gate, 2.0 * bearing_sigma);
   tolerance_.setParams(params.tolerance);
 }
 
 const std::vector<Obstacle>& Matcher::run(const std::vector<Cluster>& clusters,
-                                          const std::vector<CameraTarget>& targets) {
-  lidar_.clear();
-  for (const Cluster& cluster : clusters) lidar_.push_back(cluster.polar);
-  camera_.clear();
-  for (const CameraTarget& target : targets) camera_.push_back(target.polar);
-  const Verdicts& verdicts = tolerance_.run(lidar_, camera_);
+                                          const std::vector<Point>& points,
+                                          const std::vector<std::optional<CameraView>>& views) {
+  bodies_.clear();
+  for (const Cluster& cluster : clusters)
+    bodies_.push_back({cluster, static_cast<int>(bodies_.size()), 0, {}});
+  if (params_.method == MatchMethod::kOptimal)
+    for (const auto& view : views)
+      if (view) splitter_.run(bodies_, points, *view);
 
+  verdicts_.clear();
+  for (const auto& view : views) verdicts_.push_back(view ? judge(*view) : Verdicts{});
   obstacles_.clear();
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const Verdict& verdict = verdicts.lidar[i];
-    const int place = static_cast<int>(i);
-    if (verdict.partner < 0)
-      obstacles_.push_back(lidarObstacle(clusters[i], place, verdict, params_));
-    else
-      obstacles_.push_back(matchedObstacle(clusters[i], place, targets[verdict.partner], verdict, params_));
-  }
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    if (verdicts.camera[i].partner < 0)
-      obstacles_.push_back(cameraObstacle(targets[i], verdicts.camera[i], params_));
+  addBodies(views);
+  for (std::size_t camera = 0; camera < views.size(); ++camera)
+    if (views[camera]) addCameraOnly(static_cast<int>(camera), *views[camera], verdicts_[camera].camera);
   return obstacles_;
 }
 
-const std::vector<Obstacle>& Matcher::runAlone(const std::vector<Cluster>& clusters) {
-  Verdict verdict;
-  verdict.reason = MatchReason::kNoPartnerMessage;
-  obstacles_.clear();
-  for (std::size_t i = 0; i < clusters.size(); ++i)
-    obstacles_.push_back(lidarObstacle(clusters[i], static_cast<int>(i), verdict, params_));
-  return obstacles_;
+const Verdicts& Matcher::judge(const CameraView& view) {
+  if (params_.method == MatchMethod::kOptimal) return optimal_.run(bodies_, view);
+  lidar_.clear();
+  for (const LidarTarget& body : bodies_) lidar_.push_back(body.cluster.polar);
+  camera_.clear();
+  for (const CameraTarget& target : view.targets) camera_.push_back(target.polar);
+  return tolerance_.run(lidar_, camera_);
+}
+
+void Matcher::addBodies(const std::vector<std::optional<CameraView>>& views) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Verdict best;
+    best.reason = MatchReason::kNoPartnerMessage;
+    int by = -1;
+    for (std::size_t camera = 0; camera < views.size(); ++camera) {
+      if (!views[camera] || (by >= 0 && !better(verdicts_[camera].lidar[b], best))) continue;
+      by = static_cast<int>(camera);
+      best = verdicts_[camera].lidar[b];
+    }
+    if (best.partner < 0)
+      obstacles_.push_back(lidarObstacle(bodies_[b], best, params_.obstacle));
+    else
+      obstacles_.push_back(
+          matchedObstacle(bodies_[b], by, views[by]->targets[best.partner], best, params_.obstacle));
+  }
+}
+
+void Matcher::addCameraOnly(int camera, const CameraView& view, const std::vector<Verdict>& verdicts) {
+  seen_.clear();
+  for (std::size_t t = 0; t < view.targets.size(); ++t)
+    if (verdicts[t].partner < 0)
+      seen_.push_back(cameraObstacle(camera, view.targets[t], verdicts[t], params_.obstacle));
+
+  const double limit = chiSquareQuantile(params_.gate.gate_probability, 3);
+  const std::size_t first = bodies_.size(), known = obstacles_.size() - first;
+  candidates_.clear();
+  for (std::size_t s = 0; s < seen_.size(); ++s)
+    for (std::size_t k = 0; k < known; ++k)
+      if (const double distance = distance2(seen_[s], obstacles_[first + k]); distance <= limit)
+        candidates_.push_back({static_cast<int>(s), static_cast<int>(k), distance});
+  const auto& same =
+      same_body_.run(static_cast<int>(seen_.size()), static_cast<int>(known), candidates_, limit);
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
+    if (same[s] < 0)
+      obstacles_.push_back(seen_[s]);
+    else if (Obstacle& other = obstacles_[first + same[s]];
+             seen_[s].covariance.determinant() < other.covariance.determinant())
+      other = seen_[s];
+  }
 }
 
 }  // namespace field_fusion::core

@@ -24,10 +24,11 @@ double cameraExistence(const CameraTarget& target, const ObstacleParams& params)
 
 }  // namespace
 
-Obstacle lidarObstacle(const Cluster& cluster, int place, const Verdict& verdict,
-                       const ObstacleParams& params) {
+Obstacle lidarObstacle(const LidarTarget& body, const Verdict& verdict, const ObstacleParams& params) {
+  const Cluster& cluster = body.cluster;
   Obstacle out;
-  out.cluster = place;
+  out.cluster = body.place;
+  out.part = body.part;
   out.position = cluster.centre.cast<double>();
   out.size = cluster.box.sizes().cast<double>();
   out.covariance = lidarCovariance(out.size, params);
@@ -37,8 +38,10 @@ Obstacle lidarObstacle(const Cluster& cluster, int place, const Verdict& verdict
   return out;
 }
 
-Obstacle cameraObstacle(const CameraTarget& target, const Verdict& verdict, const ObstacleParams& params) {
+Obstacle cameraObstacle(int camera, const CameraTarget& target, const Verdict& verdict,
+                        const ObstacleParams& params) {
   Obstacle out;
+  out.camera = camera;
   out.detection = target.id;
   out.source = ObstacleSource::kCamera;
   out.position = target.position;
@@ -52,9 +55,10 @@ Obstacle cameraObstacle(const CameraTarget& target, const Verdict& verdict, cons
   return out;
 }
 
-Obstacle matchedObstacle(const Cluster& cluster, int place, const CameraTarget& target,
+Obstacle matchedObstacle(const LidarTarget& body, int camera, const CameraTarget& target,
                          const Verdict& verdict, const ObstacleParams& params) {
-  Obstacle out = lidarObstacle(cluster, place, verdict, params);
+  Obstacle out = lidarObstacle(body, verdict, params);
+  out.camera = camera;
   out.detection = target.id;
   out.source = ObstacleSource::kBoth;
   out.existence = 1.0 - (1.0 - out.existence) * (1.0 - cameraExistence(target, params));

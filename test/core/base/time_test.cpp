@@ -59,6 +59,24 @@ TEST(StampOrder, OneStampForEverIsNoJump) {
   for (int i = 0; i < 50; ++i) EXPECT_EQ(order.check(7), Verdict::kOutOfOrder);
 }
 
+TEST(RevisionOrder, RevisionsAreSeriesOfTheirOwn) {
+  RevisionOrder order;
+  EXPECT_EQ(order.check(1 * kSecond, 0), Verdict::kNewer);
+  EXPECT_EQ(order.check(2 * kSecond, 0), Verdict::kNewer);
+  EXPECT_EQ(order.check(1 * kSecond, 1), Verdict::kNewer) << "the second of the first comes after";
+  EXPECT_EQ(order.check(1 * kSecond, 1), Verdict::kOutOfOrder);
+  EXPECT_EQ(order.check(2 * kSecond, 1), Verdict::kNewer);
+}
+
+TEST(RevisionOrder, JumpOfOneSeriesIsOneJump) {
+  RevisionOrder order;
+  order.check(100 * kSecond, 0);
+  order.check(100 * kSecond, 1);
+  EXPECT_EQ(order.check(5 * kSecond, 0), Verdict::kTimeJump);
+  EXPECT_EQ(order.check(5 * kSecond, 1), Verdict::kNewer);
+  EXPECT_EQ(order.check(6 * kSecond, 0), Verdict::kNewer);
+}
+
 TEST(Latency, EmptyKnowsNothing) {
   const Latency latency;
   EXPECT_TRUE(std::isnan(latency.percentile(0.5)));

@@ -2,66 +2,139 @@
 
 #include <gtest/gtest.h>
 
+#include "support/bodies.h"
+
 namespace field_fusion::core {
 namespace {
 
-Cluster clusterAt(double range, double azimuth_degrees) {
-  Cluster out;
-  out.polar = {range, radians(azimuth_degrees), 0.0};
-  out.centre = cartesian(out.polar).cast<float>();
-  out.box = {out.centre, out.centre};
+using test::personAt;
+using test::seenBy;
+using test::Solid;
+
+const Transform kLeft = test::lookingAhead({0, 0.4, 0}), kRight = test::lookingAhead({0, -0.4, 0});
+
+using Views = std::vector<std::optional<CameraView>>;
+
+CameraView viewOf(const Transform& camera, const std::vector<Solid>& seen, double range_sigma = 0.5) {
+  CameraView out = test::viewFrom(camera);
+  for (const Solid& solid : seen)
+    out.targets.push_back(seenBy(camera, solid, static_cast<int>(out.targets.size()), range_sigma));
   return out;
 }
 
-CameraTarget targetAt(int id, double range, double azimuth_degrees) {
-  CameraTarget out;
-  out.id = id;
-  out.polar = {range, radians(azimuth_degrees), 0.0};
-  return out;
+class MatcherTest : public testing::TestWithParam<MatchMethod> {
+ protected:
+  void addCluster(const std::vector<Solid>& solids) { clusters_.push_back(test::scan(solids, points_)); }
+  const std::vector<Obstacle>& run(const Views& views) {
+    MatchParams params;
+    params.method = GetParam();
+    matcher_.setParams(params);
+    return matcher_.run(clusters_, points_, views);
+  }
+
+  std::vector<Point> points_;
+  std::vector<Cluster> clusters_;
+  Matcher matcher_;
+};
+INSTANTIATE_TEST_SUITE_P(Methods, MatcherTest, testing::Values(MatchMethod::kOptimal, MatchMethod::kPaper));
+
+TEST_P(MatcherTest, NothingGivesNothing) {
+  EXPECT_TRUE(run({}).empty());
+  EXPECT_TRUE(run({CameraView{}}).empty());
 }
 
-TEST(Matcher, NothingGivesNothing) {
-  EXPECT_TRUE(Matcher().run({}, {}).empty());
-  EXPECT_TRUE(Matcher().runAlone({}).empty());
-}
-
-TEST(Matcher, KeepsWhatOneSensorAloneSaw) {
-  Matcher matcher;
-  const auto& obstacles =
-      matcher.run({clusterAt(5, 0), clusterAt(9, 40)}, {targetAt(0, 30, -30), targetAt(1, 5.2, 1)});
+TEST_P(MatcherTest, KeepsWhatOneSensorAloneSaw) {
+  addCluster({personAt(5, 0)}), addCluster({personAt(9, 7)});
+  const auto& obstacles = run({viewOf(kLeft, {personAt(30, -15), personAt(5, 0)})});
   ASSERT_EQ(obstacles.size(), 3u);
   EXPECT_EQ(obstacles[0].source, ObstacleSource::kBoth);
   EXPECT_EQ(obstacles[0].cluster, 0);
+  EXPECT_EQ(obstacles[0].camera, 0);
   EXPECT_EQ(obstacles[0].detection, 1);
   EXPECT_EQ(obstacles[1].source, ObstacleSource::kLidar);
   EXPECT_EQ(obstacles[1].cluster, 1);
+  EXPECT_EQ(obstacles[1].camera, -1);
   EXPECT_EQ(obstacles[2].source, ObstacleSource::kCamera);
   EXPECT_EQ(obstacles[2].detection, 0);
 }
 
-TEST(Matcher, NothingStaysFromTheCallBefore) {
-  Matcher matcher;
-  matcher.run({clusterAt(5, 0)}, {targetAt(0, 5, 0), targetAt(1, 20, 0)});
-  EXPECT_TRUE(matcher.run({}, {}).empty());
+TEST_P(MatcherTest, NothingStaysFromTheCallBefore) {
+  addCluster({personAt(5, 0)});
+  run({viewOf(kLeft, {personAt(5, 0), personAt(20, 0)})});
+  clusters_.clear();
+  EXPECT_TRUE(run({CameraView{}}).empty());
 }
 
-TEST(Matcher, AloneSaysThatNoMessageCame) {
-  Matcher matcher;
-  const auto& obstacles = matcher.runAlone({clusterAt(5, 0), clusterAt(9, 40)});
-  ASSERT_EQ(obstacles.size(), 2u);
-  for (const Obstacle& o : obstacles) {
-    EXPECT_EQ(o.source, ObstacleSource::kLidar);
-    EXPECT_EQ(o.verdict.reason, MatchReason::kNoPartnerMessage);
+TEST_P(MatcherTest, WithoutAnyAnswerEachClusterSaysSo) {
+  addCluster({personAt(5, 0)}), addCluster({personAt(9, 7)});
+  for (const Views& views : {Views{}, Views{std::nullopt, std::nullopt}}) {
+    const auto& obstacles = run(views);
+    ASSERT_EQ(obstacles.size(), 2u);
+    for (const Obstacle& o : obstacles) EXPECT_EQ(o.verdict.reason, MatchReason::kNoPartnerMessage);
   }
 }
 
-TEST(Matcher, NewParametersHoldFromTheNextCall) {
-  Matcher matcher;
+TEST_P(MatcherTest, BodyThatTwoCamerasSeeGoesToTheBetterOne) {
+  addCluster({personAt(6, 0)});
+  const auto& obstacles = run({viewOf(kLeft, {personAt(6.6, 0.1)}), viewOf(kRight, {personAt(6, 0)})});
+  ASSERT_EQ(obstacles.size(), 1u) << "the other camera's box is this body too";
+  EXPECT_EQ(obstacles[0].camera, 1);
+  EXPECT_EQ(obstacles[0].source, ObstacleSource::kBoth);
+}
+
+TEST_P(MatcherTest, CameraThatHasNotAnsweredHasNoSay) {
+  addCluster({personAt(6, 0)});
+  const auto& obstacles = run({std::nullopt, viewOf(kRight, {personAt(6, 0)})});
+  ASSERT_EQ(obstacles.size(), 1u);
+  EXPECT_EQ(obstacles[0].camera, 1);
+}
+
+TEST_P(MatcherTest, CamerasAloneAgreeOnOneBody) {
+  const auto& obstacles = run({viewOf(kLeft, {personAt(20, 3), personAt(12, -4)}, 2.0),
+                               viewOf(kRight, {personAt(12.5, -4), personAt(20, -6)}, 1.0)});
+  ASSERT_EQ(obstacles.size(), 3u);
+  EXPECT_EQ(obstacles[0].camera, 0);
+  EXPECT_EQ(obstacles[1].camera, 1) << "it knows the place better";
+  EXPECT_EQ(obstacles[1].detection, 0);
+  EXPECT_EQ(obstacles[2].detection, 1);
+}
+
+TEST_P(MatcherTest, BodiesOfOneCameraAreNeverMerged) {
+  EXPECT_EQ(run({viewOf(kLeft, {personAt(20, 3), personAt(20.1, 3)}, 2.0)}).size(), 2u);
+}
+
+TEST(Matcher, PeopleInOneClusterAreTwoObstaclesByOptimalAndOneByPaper) {
+  std::vector<Point> points;
+  const Solid left = personAt(6, 0.45), right = personAt(6, -0.45);
+  const std::vector<Cluster> clusters{test::scan({left, right}, points)};
   MatchParams params;
-  params.tolerance.dist_tolerance = 0.1;
-  EXPECT_EQ(matcher.run({clusterAt(5, 0)}, {targetAt(0, 5.2, 0)}).size(), 1u);
+  Matcher matcher(params);
+  const auto& two = matcher.run(clusters, points, {viewOf(kLeft, {left, right})});
+  ASSERT_EQ(two.size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(two[i].source, ObstacleSource::kBoth);
+    EXPECT_EQ(two[i].cluster, 0);
+    EXPECT_EQ(two[i].part, i + 1);
+    EXPECT_EQ(two[i].detection, i);
+    EXPECT_NEAR(two[i].size.y(), 0.5, 1e-5);
+  }
+  params.method = MatchMethod::kPaper;
   matcher.setParams(params);
-  EXPECT_EQ(matcher.run({clusterAt(5, 0)}, {targetAt(0, 5.2, 0)}).size(), 2u);
+  const auto& paper = matcher.run(clusters, points, {viewOf(kLeft, {left, right})});
+  EXPECT_EQ(paper[0].part, 0);
+  EXPECT_EQ(std::count_if(paper.begin(), paper.end(), [](auto& o) { return o.cluster == 0; }), 1);
+}
+
+TEST(Matcher, NewParametersHoldFromTheNextCall) {
+  std::vector<Point> points;
+  const std::vector<Cluster> clusters{test::scan({personAt(5, 0)}, points)};
+  const Views views{viewOf(kLeft, {personAt(5.5, 0)}, 0.3)};
+  Matcher matcher;
+  EXPECT_EQ(matcher.run(clusters, points, views).size(), 1u);
+  MatchParams params;
+  params.gate.gate_probability = 0.5;
+  matcher.setParams(params);
+  EXPECT_EQ(matcher.run(clusters, points, views).size(), 2u);
 }
 
 TEST(MatchParams, DefaultsAreValid) {

@@ -5,25 +5,20 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "support/bodies.h"
+
 namespace field_fusion::core {
 namespace {
 
 const ObstacleParams kParams{0.1, 2.0, 0.6, 0.8};
 
-Cluster box(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
-  Cluster out;
-  out.box = {low, high};
-  out.centre = out.box.center();
-  out.polar = polar(out.centre.cast<double>());
+LidarTarget box(const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+  LidarTarget out;
+  out.place = 3;
+  out.cluster.box = {low, high};
+  out.cluster.centre = out.cluster.box.center();
+  out.cluster.polar = polar(out.cluster.centre.cast<double>());
   return out;
-}
-
-/// A camera that looks along the LiDAR's x, its optical centre at `place` of the LiDAR's frame.
-Transform lookingAhead(const Eigen::Vector3d& place) {
-  Transform T_lidar_camera = Transform::Identity();
-  T_lidar_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  T_lidar_camera.translation() = place;
-  return T_lidar_camera;
 }
 
 CameraTarget seen(const Eigen::Vector3d& ray, double range, double sigma, const Eigen::Vector3d& camera) {
@@ -33,7 +28,7 @@ CameraTarget seen(const Eigen::Vector3d& ray, double range, double sigma, const 
   out.score = 0.5;
   out.ray_range = range;
   out.range_sigma = sigma;
-  carryToLidar(out, ray.normalized(), lookingAhead(camera));
+  carryToLidar(out, ray.normalized(), test::lookingAhead(camera));
   return out;
 }
 
@@ -70,7 +65,7 @@ TEST(CarryToLidar, RayThatIsNotFiniteLeavesAllUnknown) {
 }
 
 TEST(LidarObstacle, TakesTheBox) {
-  const Obstacle o = lidarObstacle(box({4, -1, 0}, {6, 1, 1}), 3, {}, kParams);
+  const Obstacle o = lidarObstacle(box({4, -1, 0}, {6, 1, 1}), {}, kParams);
   EXPECT_EQ(o.cluster, 3);
   EXPECT_EQ(o.detection, -1);
   EXPECT_EQ(o.source, ObstacleSource::kLidar);
@@ -83,7 +78,7 @@ TEST(LidarObstacle, TakesTheBox) {
 }
 
 TEST(LidarObstacle, CovarianceIsThatOfAnEvenSpreadOverTheBoxAndTheNoise) {
-  const Cluster cluster = box({4, -1, 0}, {6, 1, 1});
+  const LidarTarget body = box({4, -1, 0}, {6, 1, 1});
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, kParams.lidar_range_sigma);
   std::uniform_real_distribution<double> unit(-0.5, 0.5);
@@ -94,16 +89,16 @@ TEST(LidarObstacle, CovarianceIsThatOfAnEvenSpreadOverTheBoxAndTheNoise) {
                             unit(random) + noise(random));
     sum += e * e.transpose();
   }
-  EXPECT_LT((lidarObstacle(cluster, 0, {}, kParams).covariance - sum / n).cwiseAbs().maxCoeff(), 0.005);
+  EXPECT_LT((lidarObstacle(body, {}, kParams).covariance - sum / n).cwiseAbs().maxCoeff(), 0.005);
 }
 
 TEST(LidarObstacle, SinglePointHasAPositiveDefiniteCovariance) {
-  EXPECT_TRUE(positiveDefinite(lidarObstacle(box({4, 0, 0}, {4, 0, 0}), 0, {}, kParams).covariance));
+  EXPECT_TRUE(positiveDefinite(lidarObstacle(box({4, 0, 0}, {4, 0, 0}), {}, kParams).covariance));
 }
 
 TEST(CameraObstacle, ErrorOfTheRangeLiesAlongTheRay) {
   const Eigen::Vector3d camera(0.3, -0.2, 0.1);
-  const Obstacle o = cameraObstacle(seen({0.4, 0.2, 1}, 10.0, 2.0, camera), {}, kParams);
+  const Obstacle o = cameraObstacle(2, seen({0.4, 0.2, 1}, 10.0, 2.0, camera), {}, kParams);
   EXPECT_TRUE(positiveDefinite(o.covariance));
   const Eigen::Vector3d ray = (o.position - camera).normalized();
   const Eigen::Vector3d across = ray.unitOrthogonal();
@@ -112,9 +107,10 @@ TEST(CameraObstacle, ErrorOfTheRangeLiesAlongTheRay) {
 }
 
 TEST(CameraObstacle, WithoutRangeIsADirection) {
-  const Obstacle o = cameraObstacle(seen({0, 0, 1}, kNaN, kNaN, {0, 0, 0}), {}, kParams);
+  const Obstacle o = cameraObstacle(2, seen({0, 0, 1}, kNaN, kNaN, {0, 0, 0}), {}, kParams);
   EXPECT_EQ(o.source, ObstacleSource::kCamera);
   EXPECT_EQ(o.cluster, -1);
+  EXPECT_EQ(o.camera, 2);
   EXPECT_EQ(o.detection, 7);
   EXPECT_TRUE(o.position.array().isNaN().all());
   EXPECT_TRUE(o.covariance.array().isNaN().all());
@@ -127,21 +123,22 @@ TEST(CameraObstacle, WithoutRangeIsADirection) {
 
 TEST(CameraObstacle, UnknownSigmaLeavesTheCovarianceUnknown) {
   for (const double sigma : {double(kNaN), 0.0}) {
-    const Obstacle o = cameraObstacle(seen({0, 0, 1}, 5.0, sigma, {0, 0, 0}), {}, kParams);
+    const Obstacle o = cameraObstacle(2, seen({0, 0, 1}, 5.0, sigma, {0, 0, 0}), {}, kParams);
     EXPECT_TRUE(o.position.allFinite());
     EXPECT_TRUE(o.covariance.array().isNaN().all());
   }
 }
 
 TEST(MatchedObstacle, TakesPlaceFromTheLidarAndClassFromTheCamera) {
-  const Cluster cluster = box({4, -1, 0}, {6, 1, 1});
+  const LidarTarget body = box({4, -1, 0}, {6, 1, 1});
   const CameraTarget target = seen({0, 0, 1}, 5.5, 0.5, {0, 0, 0});
-  const Obstacle o = matchedObstacle(cluster, 2, target, {0, MatchReason::kMatched, -0.5, 0.0}, kParams);
+  const Obstacle o = matchedObstacle(body, 1, target, {0, MatchReason::kMatched, -0.5, 0.0}, kParams);
   EXPECT_EQ(o.source, ObstacleSource::kBoth);
-  EXPECT_EQ(o.cluster, 2);
+  EXPECT_EQ(o.cluster, 3);
+  EXPECT_EQ(o.camera, 1);
   EXPECT_EQ(o.detection, 7);
   EXPECT_TRUE(o.position.isApprox(Eigen::Vector3d(5, 0, 0.5)));
-  EXPECT_DOUBLE_EQ(o.polar.range, cluster.polar.range);
+  EXPECT_DOUBLE_EQ(o.polar.range, body.cluster.polar.range);
   EXPECT_EQ(o.label, "boat");
   EXPECT_DOUBLE_EQ(o.label_probability, 0.5);
   EXPECT_DOUBLE_EQ(o.existence, 1.0 - 0.4 * 0.6);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 
 namespace field_fusion::core {
@@ -32,6 +33,24 @@ class StampOrder {
   std::optional<std::int64_t> last_ns_;
   std::int64_t late_ns_ = 0;  // the last late stamp
   int run_ = 0;               // late stamps in a row, each newer than the one before
+};
+
+/// The same for an input whose messages come in revisions: each revision is a series of its own, because the
+/// first of an instant comes before the second of an earlier one. A jump of one starts all anew.
+class RevisionOrder {
+ public:
+  StampOrder::Verdict check(std::int64_t stamp_ns, std::uint8_t revision) {
+    const auto verdict = order_[revision].check(stamp_ns);
+    if (verdict == StampOrder::Verdict::kTimeJump) {
+      reset();
+      order_[revision].check(stamp_ns);
+    }
+    return verdict;
+  }
+  void reset() { order_.clear(); }
+
+ private:
+  std::map<std::uint8_t, StampOrder> order_;
 };
 
 }  // namespace field_fusion::core

@@ -63,6 +63,9 @@ struct Cluster {
   OrientedBox oriented_box;                          ///< NaN without ClusterParams::oriented_boxes
 };
 
+/// Box, centre and their polar coordinates of at least one point; the oriented box only with a fitter.
+void describe(Cluster& cluster, const Point* points, std::size_t count, OrientedBoxFitter* fitter);
+
 struct Clusters {
   std::vector<Cluster> clusters;  ///< by nearest range; of equals the one that comes first in the cloud
   std::vector<Point> points;      ///< grouped by cluster, in the order of the cloud
@@ -101,7 +104,7 @@ class Clusterer {
   void measure(const Cloud& cloud, const Sets& sets);
   void order();
   void fill(const Cloud& cloud, const std::vector<int>& sets);
-  void describe();
+  void describeAll();
 
   ClusterParams params_;
   Dbscan dbscan_;

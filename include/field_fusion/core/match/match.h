@@ -1,52 +1,41 @@
 #pragma once
-// Clusters and detections of one instant to obstacles.
+// Clusters and the detections of some cameras of one instant to obstacles.
+#include <optional>
 #include <vector>
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/match/obstacle.h"
+#include "field_fusion/core/match/optimal.h"
+#include "field_fusion/core/match/split.h"
+#include "field_fusion/core/match/sync.h"
 #include "field_fusion/core/match/tolerance.h"
 
 namespace field_fusion::core {
 
-enum class MatchMethod { kPaper };
-
-/// How clusters and detections of about the same time find each other.
-struct SyncParams {
-  double max_interval = 0.05;
-  double cluster_spacing = 0.08;
-  double detection_spacing = 0.027;
-  double partner_timeout = 0.5;
-  int queue_size = 30;
-
-  void declare(Params& p) {
-    p.number("max_interval", max_interval, {0.0, 1.0}, "s", When::kStart,
-             "Clusters and detections whose stamps differ by more are never put together.");
-    p.number("cluster_spacing", cluster_spacing, {0.0, 10.0}, "s", When::kStart,
-             "Stamps of clusters are never closer than this: tells early that no better partner can come. "
-             "About 0.8 / rate.");
-    p.number("detection_spacing", detection_spacing, {0.0, 10.0}, "s", When::kStart,
-             "Stamps of detections are never closer than this. About 0.8 / rate of the images.");
-    p.number("partner_timeout", partner_timeout, {0.0, 3600.0}, "s", When::kLive,
-             "How long clusters wait for detections before they go on alone, and how long the camera may be "
-             "silent before they wait no more (wall time). Above the latency of the detector.");
-    p.number("queue_size", queue_size, {10, 1000}, "messages", When::kStart,
-             "Messages of each input that may wait for a partner.");
-  }
-};
+enum class MatchMethod { kOptimal, kPaper };
 
 struct MatchParams {
-  MatchMethod method = MatchMethod::kPaper;
+  MatchMethod method = MatchMethod::kOptimal;
+  GateParams gate;
+  SplitParams split;
   ToleranceParams tolerance;
   ObstacleParams obstacle;
   SyncParams sync;
+  std::string frame;
 
   void declare(Params& p) {
     p.choice(
-        "method", method, {"paper"}, When::kStart,
-        "How clusters and detections are put together. paper: tolerances on range and azimuth (paper 001).");
+        "method", method, {"optimal", "paper"}, When::kLive,
+        "How clusters and detections are put together. optimal: the likeliest assignment by range, azimuth "
+        "and elevation. paper: tolerances on range and azimuth (paper 001).");
+    gate.declare(p);
+    split.declare(p);
     tolerance.declare(p);
     obstacle.declare(p);
     sync.declare(p);
+    p.text("frame", frame, When::kStart,
+           "Frame of obstacles that the cameras alone see before any cluster has come; then that of the "
+           "clusters. Empty: such obstacles are dropped.");
   }
 };
 
@@ -56,19 +45,30 @@ class Matcher {
   explicit Matcher(const MatchParams& params = {}) { setParams(params); }
   void setParams(const MatchParams& params);
 
-  /// First one obstacle for each cluster, then one for each camera target without cluster, both in their
-  /// order.
-  const std::vector<Obstacle>& run(const std::vector<Cluster>& clusters,
-                                   const std::vector<CameraTarget>& targets);
-
-  /// One obstacle for each cluster, all kNoPartnerMessage.
-  const std::vector<Obstacle>& runAlone(const std::vector<Cluster>& clusters);
+  /// First one obstacle for each cluster, or for each part of one that was split, then those that cameras
+  /// alone saw, in their order. `points` are those of all clusters; `views` holds each camera, empty where it
+  /// has not answered. Where none has, all are kNoPartnerMessage.
+  ///
+  /// Each camera is matched on its own. Of several that see a body, the one with the least distance names it;
+  /// of several that alone see what may be one body by the gate, the one that knows its place best.
+  const std::vector<Obstacle>& run(const std::vector<Cluster>& clusters, const std::vector<Point>& points,
+                                   const std::vector<std::optional<CameraView>>& views);
 
  private:
-  ObstacleParams params_;
+  const Verdicts& judge(const CameraView& view);
+  void addBodies(const std::vector<std::optional<CameraView>>& views);
+  void addCameraOnly(int camera, const CameraView& view, const std::vector<Verdict>& verdicts);
+
+  MatchParams params_;
+  Splitter splitter_;
+  OptimalMatcher optimal_;
   ToleranceMatcher tolerance_;
+  std::vector<LidarTarget> bodies_;
   std::vector<Polar> lidar_, camera_;
-  std::vector<Obstacle> obstacles_;
+  std::vector<Verdicts> verdicts_;  // of each camera
+  std::vector<Obstacle> obstacles_, seen_;
+  std::vector<Candidate> candidates_;
+  Assignment same_body_;
 };
 
 }  // namespace field_fusion::core

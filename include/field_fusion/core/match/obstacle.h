@@ -6,9 +6,9 @@
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
-#include "field_fusion/core/cloud/cluster.h"
 #include "field_fusion/core/match/camera_target.h"
-#include "field_fusion/core/match/tolerance.h"
+#include "field_fusion/core/match/lidar_target.h"
+#include "field_fusion/core/match/verdict.h"
 
 namespace field_fusion::core {
 
@@ -36,6 +36,8 @@ enum class ObstacleSource : std::uint8_t { kLidar = 1, kCamera = 2, kBoth = 3 };
 /// In the LiDAR's frame. A number that is not known is NaN.
 struct Obstacle {
   int cluster = -1;    ///< place of the cluster, -1: none
+  int part = 0;        ///< of the cluster; 0: the whole, 1, 2, ...: a part
+  int camera = -1;     ///< place of the camera that the detection is of, -1: none
   int detection = -1;  ///< CameraTarget::id, -1: none
   ObstacleSource source = ObstacleSource::kLidar;
   Eigen::Vector3d position;         ///< [m] centre of the body
@@ -50,16 +52,16 @@ struct Obstacle {
 
 /// What the LiDAR alone knows. The body's centre may lie anywhere in the cluster's box alike (a variance of
 /// extent^2 / 12 along each axis), and the range has its noise, taken for every direction.
-Obstacle lidarObstacle(const Cluster& cluster, int place, const Verdict& verdict,
-                       const ObstacleParams& params);
+Obstacle lidarObstacle(const LidarTarget& body, const Verdict& verdict, const ObstacleParams& params);
 
 /// What the camera alone knows. Position and covariance are NaN where the range is: the error of the range
 /// lies along the ray, that of the bearing across.
-Obstacle cameraObstacle(const CameraTarget& target, const Verdict& verdict, const ObstacleParams& params);
+Obstacle cameraObstacle(int camera, const CameraTarget& target, const Verdict& verdict,
+                        const ObstacleParams& params);
 
 /// A matched pair: position, size, range and azimuth from the LiDAR, the class from the camera (paper 001
 /// section VI). The two exist independently of one another: 1 - (1 - p)(1 - q).
-Obstacle matchedObstacle(const Cluster& cluster, int place, const CameraTarget& target,
+Obstacle matchedObstacle(const LidarTarget& body, int camera, const CameraTarget& target,
                          const Verdict& verdict, const ObstacleParams& params);
 
 }  // namespace field_fusion::core

@@ -1,10 +1,10 @@
 #pragma once
 // Which LiDAR target and which camera target are one body: tolerances on range and azimuth.
-#include <cstdint>
 #include <vector>
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/match/verdict.h"
 
 namespace field_fusion::core {
 
@@ -18,31 +18,6 @@ struct ToleranceParams {
     p.number("angle_tolerance", angle_tolerance, {0.001, 180.0}, "deg", When::kLive,
              "Largest difference in azimuth of a LiDAR and a camera target that match.");
   }
-};
-
-/// Why a target was matched or not; the values are those of msg/Obstacle.msg.
-enum class MatchReason : std::uint8_t {
-  kMatched = 0,
-  kNoCandidate = 1,
-  kRangeDiffers = 2,
-  kAzimuthDiffers = 3,
-  kTaken = 4,
-  kRangeUnknown = 5,
-  kNoBearing = 6,
-  kNoPartnerMessage = 7
-};
-
-/// How a target fared. The differences (paper 001 Eq. 12, here signed: LiDAR minus camera) are those to the
-/// partner, or to the best candidate of a target without partner; NaN where one of the two is not known.
-struct Verdict {
-  int partner = -1;  ///< place of the matched target on the other side
-  MatchReason reason = MatchReason::kNoCandidate;
-  double range_difference = kNaN;    ///< [m]
-  double azimuth_difference = kNaN;  ///< [rad]
-};
-
-struct Verdicts {
-  std::vector<Verdict> lidar, camera;  ///< one for each target
 };
 
 /// Tolerance-based matching, paper 001 Eqs. 12 and 13: range and azimuth both differ by no more than their
