@@ -40,7 +40,7 @@ target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
-foreach(library field_fusion_core ${run_time_libraries})
+foreach(library field_fusion_core field_fusion_sim ${run_time_libraries})
   set_target_properties(${library} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
 endforeach()
