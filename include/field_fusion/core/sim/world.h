@@ -10,6 +10,8 @@
 
 namespace field_fusion::core::sim {
 
+constexpr double kGravity = 9.80665;  ///< [m/s^2]
+
 struct Body {
   std::string name;   ///< unique in the world
   std::string label;  ///< class; empty: part of the surroundings, such as a wall
