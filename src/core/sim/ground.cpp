@@ -110,7 +110,8 @@ double Ground::height(double x, double y, double time) const {
 
 Trajectory carriedByGround(const Trajectory& way, const Ground& ground, Ride ride, double length,
                            double width) {
-  if (ground.kind == Ground::Kind::kNone) return way;
+  const bool water = ground.kind == Ground::Kind::kWater;
+  if (ground.kind == Ground::Kind::kNone || (water && ride != Ride::kFloating)) return way;
   const bool moves = ride == Ride::kFloating && !ground.waves.empty();
   const double least = 0.1;  // [m] a footprint has two directions
   length = std::max(length, least), width = std::max(width, least);
