@@ -6,7 +6,7 @@
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kHorizon = 2e4;  // [m] no sensor sees water from farther
 
@@ -48,8 +48,8 @@ Water::Slope Water::above(const Line& line, double time, double t) const {
     const Eigen::Array4d rate = w.kx * line.direction.x() + w.ky * line.direction.y();
     const Eigen::Array4d start = w.kx * line.origin.x() + w.ky * line.origin.y() - w.omega * time + w.phase;
     const Eigen::Array4f phase = reduced(start + t * rate);
-    out.value -= (w.amplitude * phase.sin().cast<double>()).sum();
-    out.rate -= (w.amplitude * rate * phase.cos().cast<double>()).sum();
+    out.value -= (w.amplitude * phase.cos().cast<double>()).sum();
+    out.rate += (w.amplitude * rate * phase.sin().cast<double>()).sum();
   }
   return out;
 }
