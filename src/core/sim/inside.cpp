@@ -26,8 +26,8 @@ struct Holds {
 
   bool operator()(const Mesh& mesh) const {
     // an open mesh, such as a wall of one sheet, is crossed in some directions only
-    for (const Eigen::Vector3d& d : {Eigen::Vector3d(1, 0.13, 0.07), Eigen::Vector3d(-0.11, 1, 0.05),
-                                     Eigen::Vector3d(0.09, -0.06, 1)})
+    for (const Eigen::Vector3d& d :
+         {Eigen::Vector3d(1, 0.13, 0.07), Eigen::Vector3d(-0.11, 1, 0.05), Eigen::Vector3d(0.09, -0.06, 1)})
       if (crossings(mesh, p, d) % 2 == 0 || crossings(mesh, p, -d) % 2 == 0) return false;
     return true;
   }

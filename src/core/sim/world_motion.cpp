@@ -17,10 +17,13 @@ std::vector<PresetTerm> preset(const Yaml& yaml) {
     case 0:  // a trot of two strides a second: rolls and sways with the stride, bounces with each step
       return {{2.0, 1.5, 0.0, 0.7, 0.0, 0.006, 0.0, 0.0}, {4.0, 0.0, 1.0, 0.0, 0.003, 0.0, 0.008, 40.0}};
     case 1:  // a small vessel in a light swell; of several lengths, so that it does not repeat soon
-      return {{0.23, 3.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0}, {0.31, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 70.0},
-              {0.41, 2.0, 0.0, 0.5, 0.0, 0.0, 0.03, 130.0}, {0.53, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 200.0}};
+      return {{0.23, 3.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0},
+              {0.31, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 70.0},
+              {0.41, 2.0, 0.0, 0.5, 0.0, 0.0, 0.03, 130.0},
+              {0.53, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 200.0}};
     default:  // springs, and the wheels' hop
-      return {{1.4, 0.4, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0}, {1.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 60.0},
+      return {{1.4, 0.4, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0},
+              {1.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 60.0},
               {11.0, 0.05, 0.08, 0.0, 0.0, 0.0, 0.001, 120.0}};
   }
 }
@@ -112,7 +115,8 @@ Transform readFrame(const Yaml& yaml) {
   return T;
 }
 
-Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model) {
+Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,
+                   const Eigen::Vector2d& offset) {
   std::vector<WayPoint> points;
   Trajectory::Limits limits;
   Shake shake;
@@ -127,11 +131,13 @@ Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model) {
     if (motion.has("shake")) shake = readShake(motion["shake"]);
   }
   if (points.empty()) yaml.fail("needs pose, or motion with points");
+  for (WayPoint& point : points) point.position.head<2>() += offset;
   const Yaml place = yaml.has("pose") ? yaml["pose"] : yaml["motion"]["points"];
   Trajectory way;
   place.check([&] { way = Trajectory(points, limits, shake); });
   checkStaysOn(ground, way, place);
-  const Eigen::Vector3d size = model.links.empty() ? Eigen::Vector3d::Zero() : model.box().sizes();
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  if (!model.links.empty()) size = model.box().sizes();
   return carriedByGround(way, ground, readRide(yaml, ground), size.x(), size.y());
 }
 

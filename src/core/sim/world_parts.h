@@ -12,8 +12,9 @@ void readMaterial(const Yaml& yaml, Material& material);
 Model readModel(const Yaml& yaml);
 inline const std::vector<std::string> kModelKeys{"shape", "params", "mesh", "scale", "material", "parts"};
 
-/// From the keys of kWayKeys, put on the ground.
-Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model);
+/// From the keys of kWayKeys, `offset` [m] along x and y from where they say, put on the ground.
+Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,
+                   const Eigen::Vector2d& offset = {0, 0});
 inline const std::vector<std::string> kWayKeys{"pose", "motion", "floats", "leans"};
 
 /// `repeat` makes several.

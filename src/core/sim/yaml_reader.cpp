@@ -139,8 +139,8 @@ std::vector<double> Yaml::numbers(std::size_t fewest, std::size_t most) const {
   std::vector<double> out;
   for (const Yaml& item : list()) out.push_back(item.number());
   if (out.size() >= fewest && out.size() <= most) return out;
-  fail("must be a list of " + std::to_string(fewest) +
-       (fewest == most ? "" : " to " + std::to_string(most)) + " numbers");
+  fail("must be a list of " + std::to_string(fewest) + (fewest == most ? "" : " to " + std::to_string(most)) +
+       " numbers");
 }
 
 std::string Yaml::dump() const { return YAML::Dump(node_); }
