@@ -17,7 +17,7 @@ using ShapeParams = std::map<std::string, double>;
 struct ShapeKind {
   const char* text;      ///< what it is
   ShapeParams defaults;  ///< every parameter that it has
-  Model (*make)(ShapeParams);
+  Model (*make)(const ShapeParams&);
 };
 
 const std::map<std::string, ShapeKind>& shapeKinds();
