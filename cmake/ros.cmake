@@ -49,7 +49,7 @@ foreach(source ${bench_sources})
 endforeach()
 
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
-foreach(library field_fusion_core ${run_time_libraries})
+foreach(library field_fusion_core field_fusion_sim ${run_time_libraries})
   set_target_properties(${library} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
 endforeach()

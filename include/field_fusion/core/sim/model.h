@@ -60,18 +60,20 @@ struct Joint {
   double phase = 0.0;                               ///< [rad]
   double bias = 0.0;                                ///< [rad]
 
-  Transform at(double time) const;  ///< T_body_link
+  Transform at(double time) const;  ///< T_parent_link
 };
 
 struct Link {
   std::vector<Part> parts;
-  std::optional<Joint> joint;  ///< none: stands fast in the body's frame
+  std::optional<Joint> joint;  ///< none: stands fast on what carries it
+  int parent = -1;             ///< the link before this one that carries it, as a thigh a shin; -1: the body
 };
 
 struct Model {
   std::vector<Link> links;
 
-  /// All joints at their bias.
+  Transform linkPose(std::size_t link, double time) const;  ///< T_body_link
+  /// All joints at their bias. Empty for a model of no parts.
   Eigen::AlignedBox3d box() const;
 };
 
