@@ -98,10 +98,13 @@ def prepare(model):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    model = onnx.load(sys.argv[1])
-    mended = prepare(model)
-    onnx.checker.check_model(model)
-    onnx.save(model, sys.argv[2])
+    try:
+        model = onnx.load(sys.argv[1])
+        mended = prepare(model)
+        onnx.checker.check_model(model)
+        onnx.save(model, sys.argv[2])
+    except Exception as error:  # each library below has kinds of its own
+        sys.exit(f"prepare_onnx: {sys.argv[1]}: {error}")
     print(f"{sys.argv[2]}: {len(mended)} nodes mended" + "".join(f"\n  {name}" for name in mended))
 
 

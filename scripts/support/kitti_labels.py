@@ -101,7 +101,11 @@ def read_calibration(file):
     rectified, lidar = numpy.eye(4), numpy.eye(4)
     rectified[:3, :3] = numpy.reshape(rows["R0_rect"], (3, 3))
     lidar[:3] = numpy.reshape(rows["Tr_velo_to_cam"], (3, 4))
-    return Calibration(numpy.reshape(rows["P2"], (3, 4)), rectified @ lidar)
+    projection = numpy.reshape(rows["P2"], (3, 4))
+    for name, matrix in (("R0_rect times Tr_velo_to_cam", rectified @ lidar), ("P2", projection[:, :3])):
+        if abs(numpy.linalg.det(matrix)) < 1e-6:
+            raise BadFile(f"{file}: {name} cannot be inverted")
+    return Calibration(projection, rectified @ lidar)
 
 
 def read_object_labels(file, calibration):

@@ -24,18 +24,23 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
     too_large_ = found.too_large;
     unusable_ = found.unusable;
     count_ = found.clusters.size();
+    row_gap_ = cloud.points.empty() ? row_gap_ : found.row_gap;
   }
 
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
     if (too_large_ > 0)
       status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "clusters above max_points are left out");
+    if (row_gap_ == 0.0)
+      status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "no rings in the cloud: set row_gap");
     status.add("last cloud: clusters", count_);
+    status.add("last cloud: angle between rows [deg]", core::degrees(row_gap_));
     status.add("last cloud: noise points", noise_);
     status.add("last cloud: clusters left out as too large", too_large_);
     status.add("last cloud: points not finite or too far", unusable_);
   }
 
   core::Clusterer clusterer_;
+  double row_gap_ = core::kNaN;
   std::size_t count_ = 0, noise_ = 0, too_large_ = 0, unusable_ = 0;
   Output<ClusterArray> clusters_;
 };

@@ -30,9 +30,8 @@ class MatchNodelet : public StageNodelet<core::MatchParams> {
     release();
   }
   void onDetections(std::size_t camera, const ImageDetectionArray::ConstPtr& detections) {
-    check(*detections);
-    if (!flow_->add(camera, detections, ros::WallTime::now()))
-      fault(*detections_[camera], detections->header.stamp, "too late for clusters");
+    for (const auto& text : flow_->add(camera, detections, ros::WallTime::now()))
+      fault(*detections_[camera], detections->header.stamp, text);
     release();
   }
   void release() {

@@ -1,4 +1,6 @@
 // What a message of ours must be before core may work on it.
+#include <boost/make_shared.hpp>
+
 #include <stdexcept>
 #include <string>
 
@@ -97,10 +99,22 @@ void check(const ClusterArray& message) {
       throw std::runtime_error("clusters damaged: number " + std::to_string(i) + " " + fault);
 }
 
-void check(const ImageDetectionArray& message) {
-  for (std::size_t i = 0; i < message.detections.size(); ++i)
-    if (const char* fault = faultOf(message.detections[i], i, message))
-      throw std::runtime_error("detections damaged: number " + std::to_string(i) + " " + fault);
+ImageDetectionArray::ConstPtr soundDetections(const ImageDetectionArray::ConstPtr& message,
+                                              std::string& damage) {
+  damage.clear();
+  ImageDetectionArray::Ptr sound;
+  const auto& all = message->detections;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const char* fault = faultOf(all[i], i, *message);
+    if (fault && !sound) {
+      damage = "detections damaged: number " + std::to_string(i) + " " + fault;
+      sound = boost::make_shared<ImageDetectionArray>(*message);
+      sound->detections.resize(i);
+    } else if (!fault && sound) {
+      sound->detections.push_back(all[i]);
+    }
+  }
+  return sound ? sound : message;
 }
 
 }  // namespace field_fusion

@@ -41,8 +41,14 @@ bool MatchFlow::placeable(std::size_t camera, const ImageDetectionArray& detecti
   return frame_.empty() || tf_.has(frame_, header.frame_id, stamp);
 }
 
-bool MatchFlow::add(std::size_t camera, const ImageDetectionArray::ConstPtr& detections, ros::WallTime now) {
-  return sync_.addDetections(camera, detections->header.stamp.toSec(), now.toSec(), detections);
+std::vector<std::string> MatchFlow::add(std::size_t camera, const ImageDetectionArray::ConstPtr& detections,
+                                        ros::WallTime now) {
+  std::vector<std::string> faults(1);
+  const auto sound = soundDetections(detections, faults[0]);
+  if (faults[0].empty()) faults.clear();
+  if (!sync_.addDetections(camera, sound->header.stamp.toSec(), now.toSec(), sound))
+    faults.push_back("too late for clusters: these wait no longer than partner_timeout");
+  return faults;
 }
 
 std::optional<MatchFlow::Matched> MatchFlow::next(ros::WallTime now) {

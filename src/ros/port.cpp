@@ -4,6 +4,11 @@
 
 namespace field_fusion {
 
+std::mutex& linkMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 bool FaultLog::add(const std::string& text) {
   constexpr double kLogPeriod = 5.0;  // [s] of wall time
   const auto kind = text.substr(0, text.find(':'));

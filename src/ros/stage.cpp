@@ -113,6 +113,11 @@ void Stage::onSubscribersChanged() try {
   NODELET_FATAL_STREAM("cannot subscribe: " << e.what());
 }
 
+std::shared_ptr<void> Stage::link(const InputPort& port) {
+  const std::lock_guard<std::mutex> linking(linkMutex());
+  return port.subscribe();
+}
+
 void Stage::updateSubscriptions() {
   if (stopped_) return;
   bool wanted = listen_ == Listen::kAlways || outputs_.empty();
@@ -120,7 +125,7 @@ void Stage::updateSubscriptions() {
   if (wanted == subscribed_) return;
   subscribed_ = wanted;
   for (auto& port : inputs_) {
-    port.subscription = wanted ? port.subscribe() : nullptr;
+    port.subscription = wanted ? link(port) : nullptr;
     port.order.reset();
     port.last_seq = 0;
     port.last_arrival = ros::WallTime::now();

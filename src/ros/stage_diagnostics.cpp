@@ -40,6 +40,7 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
 /// Why an input gives reason to worry; empty when it does not.
 std::string worry(const InputPort& port, double timeout) {
   if (port.faults.age() < kFaultShown) return port.topic + " dropped, " + port.faults.last();
+  if (port.last_arrival.isZero()) return "waiting for " + port.topic;
   const double silent = (ros::WallTime::now() - port.last_arrival).toSec();
   if (port.optional || silent < timeout) return "";
   std::ostringstream out;

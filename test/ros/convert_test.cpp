@@ -1,5 +1,6 @@
 #include "field_fusion/ros/convert.h"
 
+#include <boost/make_shared.hpp>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -36,12 +37,18 @@ ImageDetection detection() {
   return out;
 }
 
-template <class M>
-std::string faultIn(const M& message) try {
+std::string faultIn(const ClusterArray& message) try {
   check(message);
   return "";
 } catch (const std::runtime_error& e) {
   return e.what();
+}
+
+std::string faultIn(const ImageDetectionArray& message) {
+  std::string fault;
+  const auto sound = soundDetections(boost::make_shared<ImageDetectionArray>(message), fault);
+  EXPECT_EQ(sound->detections.size(), message.detections.size() - (fault.empty() ? 0 : 1));
+  return fault;
 }
 
 TEST(ClusterMessage, ComesBackAsItWas) {
@@ -170,6 +177,19 @@ TEST(CheckDetections, NamesWhatIsWrongAndLetsTheUnknownPass) {
   const std::string ray = "detections damaged: number 0 has a ray that is no unit vector";
   EXPECT_EQ(faultAfter([](auto& d) { d.ray.z = 0.5; }), ray);
   EXPECT_EQ(faultAfter([](auto& d) { d.ray_max.z = 0.0; }), ray);
+}
+
+TEST(CheckDetections, OneThatIsDamagedLeavesTheOthers) {
+  ImageDetectionArray message;
+  message.detections = {detection(), detection(), detection()};
+  for (std::uint32_t i = 0; i < 3; ++i) message.detections[i].id = i;
+  message.detections[1].score = NAN;
+  std::string fault;
+  const auto sound = soundDetections(boost::make_shared<ImageDetectionArray>(message), fault);
+  EXPECT_EQ(fault, "detections damaged: number 1 has a score outside 0..1");
+  ASSERT_EQ(sound->detections.size(), 2u);
+  EXPECT_EQ(sound->detections[0].id, 0u);
+  EXPECT_EQ(sound->detections[1].id, 2u);
 }
 
 TEST(CheckDetections, BoxMustBeInTheImage) {

@@ -107,7 +107,7 @@ def test_fault_in_a_tracking_label_is_named_with_its_line(tmp_path):
 
 @pytest.mark.parametrize("old, new, complaint", [
     ("R0_rect", "R1_rect", "R0_rect should be 9 numbers, has 0"), ("-0.3", "", "Tr_velo_to_cam should be 12 numbers, has 11"),
-    ("P2: 100", "P2: wide", ":1: could not convert")])
+    ("P2: 100", "P2: wide", ":1: could not convert"), ("P2: 100", "P2: 0", "P2 cannot be inverted")])
 def test_fault_in_a_calibration_is_named(tmp_path, old, new, complaint):
     (tmp_path / "calib.txt").write_text(CALIBRATION.replace(old, new))
     with pytest.raises(kitti_labels.BadFile) as fault:

@@ -92,3 +92,11 @@ def test_mended_file_needs_no_mending(tmp_path):
     path = tmp_path / "model.onnx"
     onnx.save(as_exported(), str(path))
     assert "0 nodes mended" in prepared(prepared(path)[0])[1]
+
+
+def test_file_that_is_no_network_is_named(tmp_path):
+    (tmp_path / "notes.onnx").write_text("not a network")
+    done = subprocess.run([sys.executable, ROOT / "models/prepare_onnx.py", tmp_path / "notes.onnx", tmp_path / "out.onnx"],
+                          text=True, stderr=subprocess.PIPE)
+    assert done.returncode == 1 and "notes.onnx" in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "out.onnx").exists()

@@ -16,10 +16,12 @@ namespace field_fusion {
 /// its place, names points that are not there, or has an oriented box that is neither sound nor all NaN.
 void check(const ClusterArray& message);
 
-/// Throws std::runtime_error "detections damaged: details" where a detection is not in its place, its score
-/// is no probability, its box is inside out or not in the image, a ray is no unit vector, or its range or
-/// sigma is negative or infinite; NaN is unknown, but not for score and box.
-void check(const ImageDetectionArray& message);
+/// The message without its damaged detections; the very same message where there are none. Damaged is one
+/// that is not in its place, whose score is no probability, whose box is inside out or not in the image,
+/// whose ray is no unit vector, or whose range or sigma is negative or infinite; NaN is unknown, but not for
+/// score and box. `damage` becomes "detections damaged: details" of the first, or empty.
+ImageDetectionArray::ConstPtr soundDetections(const ImageDetectionArray::ConstPtr& message,
+                                              std::string& damage);
 
 /// Throws std::runtime_error "obstacles damaged: details" where a number of an obstacle is neither possible
 /// nor unknown (NaN).
@@ -34,7 +36,7 @@ std::vector<core::Cluster> clustersOf(const ClusterArray& message);
 /// Their points, positions alone; Cluster::points names them.
 std::vector<core::Point> pointsOf(const ClusterArray& message);
 
-/// The detections of a message that passed `check`, also carried into the LiDAR's frame. Where
+/// The sound detections of a message, also carried into the LiDAR's frame. Where
 /// `T_lidar_camera` is null nothing is known of their place.
 core::CameraView cameraViewOf(const ImageDetectionArray& message, const core::Transform* T_lidar_camera);
 

@@ -13,7 +13,7 @@
 
 namespace field_fusion {
 
-/// Every message that comes in must have passed `check`.
+/// Every message of clusters that comes in must have passed `check`.
 class MatchFlow {
  public:
   struct Matched {
@@ -32,8 +32,9 @@ class MatchFlow {
 
   /// True when the detections have their transform, or none is needed yet.
   bool placeable(std::size_t camera, const ImageDetectionArray& detections) const;
-  /// False: they came too late for their clusters.
-  bool add(std::size_t camera, const ImageDetectionArray::ConstPtr& detections, ros::WallTime now);
+  /// What is wrong with them: some are damaged and left out, or they came too late for their clusters.
+  std::vector<std::string> add(std::size_t camera, const ImageDetectionArray::ConstPtr& detections,
+                               ros::WallTime now);
 
   /// Revision 1, of the next instant that need wait no longer. Detections without a transform stay what the
   /// image alone shows.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "field_fusion/core/base/latency.h"
@@ -33,6 +34,10 @@ class FaultLog {
   ros::WallTime last_at_;
   std::uint64_t total_ = 0;
 };
+
+/// To be held while a topic is advertised or subscribed: where two threads do so at once, roscpp may link the
+/// two ends twice, and every message comes double.
+std::mutex& linkMutex();
 
 /// What identifies one message: nodelets of one manager hand on the very same object.
 struct MessageTrace {

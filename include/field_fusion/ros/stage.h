@@ -62,6 +62,7 @@ class Stage : public nodelet::Nodelet {
       onSubscribersChanged();
     };
     auto& port = outputs_.emplace_back();
+    const std::lock_guard<std::mutex> linking(linkMutex());
     port.publisher = getNodeHandle().template advertise<M>(topic, kQueue, changed, changed);
     return Output<M>(&port);
   }
@@ -149,6 +150,7 @@ class Stage : public nodelet::Nodelet {
   void onInit() final;
   void start();
   void onSubscribersChanged();
+  static std::shared_ptr<void> link(const InputPort& port);
   void updateSubscriptions();
   void onArrival(InputPort& port, Arrival arrival, const std::string& damage);
   bool inOrder(InputPort& port, const Arrival& arrival);

@@ -19,6 +19,7 @@ void describe(Cluster& cluster, const Point* points, std::size_t count, Oriented
 }
 
 const Clusters& Clusterer::run(const Cloud& cloud) {
+  result_.row_gap = kNaN;
   const Sets sets = separate(cloud);
   result_.unusable = cloud.size() - sets.usable;
   measure(cloud, sets);
@@ -58,6 +59,7 @@ Clusterer::Sets Clusterer::separate(const Cloud& cloud) {
 
 Clusterer::Sets Clusterer::separateAdaptively(const Cloud& cloud) {
   const double gap = params_.row_gap > 0.0 ? radians(params_.row_gap) : row_spacing_.measure(cloud);
+  result_.row_gap = gap;
   RowSpacing::close(cloud, gap, params_.epsilon, closed_);
   const auto epsilon = static_cast<float>(params_.epsilon);
   const auto& labels = dbscan_.run(closed_, epsilon, std::min(params_.min_points, kFewest));

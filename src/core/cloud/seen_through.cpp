@@ -74,6 +74,7 @@ void SeenThrough::measure(Set& set, const Cloud& cloud) {
   Eigen::AlignedBox3f box;
   for (const Ray* ray = begin; ray != end; ++ray) box.extend(cloud[ray->index].position());
   const Eigen::Vector3f centre = box.center();
+  set.tall = box.sizes().z();
   set.middle = std::atan2(centre.y(), centre.x());
   set.low = set.nearest = std::numeric_limits<float>::infinity();
   set.high = -set.low;
@@ -113,14 +114,21 @@ bool SeenThrough::mayHold(const Set& outer, const Set& inner) const {
 std::uint32_t SeenThrough::countEnclosed(const Set& outer, const Set& inner, const Cloud& cloud) const {
   const Ray *begin = rays_.data() + inner.rays.first, *end = begin + inner.rays.count;
   const double turn = double{inner.middle} - outer.middle;
+  const bool frames = mayFrame(outer, inner);
   std::uint32_t enclosed = 0;
   for (const Ray* ray = begin; ray != end; ++ray)
-    enclosed += encloses(outer, *ray, wrapped(ray->azimuth + turn), cloud[ray->index]);
+    enclosed += encloses(outer, frames, *ray, wrapped(ray->azimuth + turn), cloud[ray->index]);
   return enclosed;
 }
 
+/// Of a vehicle with windows, not of a fence with someone behind it.
+bool SeenThrough::mayFrame(const Set& outer, const Set& inner) const {
+  return inner.tall <= 0.5f * outer.tall && outer.box.size.x() <= 2.f * depth_;
+}
+
 /// `azimuth` of the ray, from the middle of the outer set.
-bool SeenThrough::encloses(const Set& outer, const Ray& ray, float azimuth, const Point& point) const {
+bool SeenThrough::encloses(const Set& outer, bool frames, const Ray& ray, float azimuth,
+                           const Point& point) const {
   const Ray *begin = rays_.data() + outer.rays.first, *end = begin + outer.rays.count;
   const float side = reach_ / std::max(ray.range, reach_);
   bool in_front = false, higher = false, lower = false;
@@ -131,7 +139,7 @@ bool SeenThrough::encloses(const Set& outer, const Ray& ray, float azimuth, cons
     in_front = true;
     higher |= q->slope > ray.slope;
     lower |= q->slope < ray.slope;
-    if (higher && lower) return true;
+    if (frames && higher && lower) return true;
   }
   return in_front && outer.box.size.y() <= depth_ && outer.box.contains(point.position(), kMargin);
 }

@@ -5,7 +5,9 @@
 namespace field_fusion::core {
 namespace {
 
-constexpr double kSameBody = 0.3;  // of the smaller box's area
+constexpr double kSameBody = 0.3;       // of the smaller box's area
+constexpr double kTooWide = 2.0;        // times the width of the only box
+constexpr std::size_t kMostBoxes = 16;  // that are tried on one body
 
 /// Shared area over the smaller area, of tangents.
 double overlap(const ViewBox& a, const ViewBox& b) {
@@ -89,17 +91,29 @@ void Splitter::dropSecondOpinions(std::vector<const CameraTarget*>& boxes) const
   };
   std::vector<const CameraTarget*> kept;
   std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(kept), [&](auto* box) { return !second(box); });
+  std::sort(kept.begin(), kept.end(), [](auto* a, auto* b) {
+    return std::make_pair(-a->score, a->id) < std::make_pair(-b->score, b->id);
+  });
+  kept.resize(std::min(kept.size(), kMostBoxes));
+  std::sort(kept.begin(), kept.end());  // as the targets stand
   boxes.swap(kept);
+}
+
+bool Splitter::tooWide(const LidarTarget& body, const ViewBox& box, const Transform& T_view_lidar) const {
+  return sightOf(body.cluster, T_view_lidar).width > kTooWide * (box.width() + 2.0 * margin_);
 }
 
 bool Splitter::split(const LidarTarget& body, const std::vector<Point>& points, const Transform& T_view_lidar,
                      std::vector<const CameraTarget*> boxes) {
-  while (boxes.size() >= 2) {
+  while (boxes.size() >= 2 || (boxes.size() == 1 && tooWide(body, boxes.front()->box, T_view_lidar))) {
     parts_.clear();
     for (const CameraTarget* box : boxes) parts_.push_back({box, {{}, body.place, 1, {}}});
     parts_.push_back({nullptr, {{}, body.place, 1, {}}});
     deal(body, points, T_view_lidar, true);
-    if (parts_.back().body.members.size() < part_points_) deal(body, points, T_view_lidar, false);
+    if (parts_.back().body.members.size() < part_points_) {
+      if (boxes.size() == 1) return false;
+      deal(body, points, T_view_lidar, false);
+    }
     for (Part& part : parts_) measure(part.body, points, std::isfinite(body.cluster.oriented_box.yaw));
     const CameraTarget* const bad = failing(T_view_lidar);
     if (!bad) {

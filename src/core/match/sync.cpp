@@ -1,6 +1,7 @@
 #include "field_fusion/core/match/sync.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 namespace field_fusion::core {
@@ -8,13 +9,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+bool isRelativeTopic(const std::string& name) {
+  static const std::regex pattern("[A-Za-z][A-Za-z0-9_]*(/[A-Za-z0-9_]+)*");
+  return std::regex_match(name, pattern);
+}
+
 }  // namespace
 
 void SyncParams::declare(Params& p) {
   p.texts("cameras", cameras, When::kStart,
           "Names of the cameras; each sends its detections on NAME/detections. Empty: one, on detections.");
-  p.number("time_offset", time_offset, {-10.0, 10.0}, "s", When::kLive,
-           "Added to the stamps of all detections, where the clock of the cameras is behind the LiDAR's.");
+  p.number(
+      "time_offset", time_offset, {-10.0, 10.0}, "s", When::kLive,
+      "Added to the stamps of all detections, where the clock of the cameras is behind the LiDAR's. Of an "
+      "offset longer than half their period the stamps show only what is over whole periods.");
   p.number("time_offsets", time_offsets, {-10.0, 10.0}, "s", When::kStart,
            "time_offset of single cameras, by name.");
   p.number("max_interval", max_interval, {0.0, 1.0}, "s", When::kLive,
@@ -25,6 +33,8 @@ void SyncParams::declare(Params& p) {
       "it (wall time). Above the period and latency of the detector.");
   p.rule([this] { return std::set<std::string>(cameras.begin(), cameras.end()).size() == cameras.size(); },
          "cameras has a name twice");
+  p.rule([this] { return std::all_of(cameras.begin(), cameras.end(), isRelativeTopic); },
+         "cameras has a name that is no relative topic: letters, digits, _ and /, a letter first");
   p.rule(
       [this] {
         return std::all_of(time_offsets.begin(), time_offsets.end(), [this](const auto& entry) {
@@ -172,6 +182,8 @@ Sync::Frame Sync::release() {
   Frame frame{front.first.stamp, front.first.arrival, nullptr, front.leader, {}};
   for (Camera& camera : cameras_) {
     frame.answers.push_back(nearest(camera, frame.stamp));
+    if (camera.items.empty() || camera.items.back().stamp < frame.stamp - params_.max_interval)
+      frame.answers.back().offset = kNaN;  // the nearest is still to come
     if (!frame.answers.back().detections) camera.unanswered.push_back(frame.stamp);
   }
   if (frame.leader < 0)

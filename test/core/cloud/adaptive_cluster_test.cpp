@@ -55,6 +55,8 @@ TEST(AdaptiveCluster, WithoutRingsTheParameterSaysHowFarRowsAreApart) {
   for (Point& p : cloud) p.ring = kUnknownRing;
   EXPECT_EQ(clusters(cloud), 4u);
   ClusterParams params;
+  Clusterer clusterer(params);
+  EXPECT_EQ(clusterer.run(cloud).row_gap, 0.0) << "not known: the stage warns";
   params.row_gap = 2.0;
   EXPECT_EQ(clusters(cloud, params), 1u);
 }

@@ -94,6 +94,30 @@ TEST(SeenThrough, APersonBehindALowWallIsABody) {
   EXPECT_FALSE(yard.joins(0, 1));
 }
 
+TEST(SeenThrough, APersonBehindAFenceIsABody) {
+  for (const double half_length : {2.0, 6.0}) {
+    Sets yard;
+    Cloud fence;
+    for (double y = -half_length; y <= half_length; y += 0.3)
+      for (double z = -1.5; z <= 0.7; z += 0.05) fence.push_back(test::at(5, y, z));
+    yard.add(fence);
+    yard.add(face(7, -0.2, 0.2, -1.4, 0.2));
+    ASSERT_LE(4 * std::count(yard.labels.begin(), yard.labels.end(), 1),
+              std::count(yard.labels.begin(), yard.labels.end(), 0));
+    EXPECT_FALSE(yard.joins(0, 1)) << half_length;
+  }
+}
+
+TEST(SeenThrough, ADogBehindALongFenceIsABody) {
+  Sets yard;
+  Cloud fence;
+  for (double y = -6.0; y <= 6.0; y += 0.3)
+    for (double z = -1.5; z <= 0.7; z += 0.05) fence.push_back(test::at(5, y, z));
+  yard.add(fence);
+  yard.add(face(7, -0.2, 0.2, -1.4, -0.8));
+  EXPECT_FALSE(yard.joins(0, 1));
+}
+
 TEST(SeenThrough, AThingOfLikeSizeIsABody) {
   Sets street;
   street.add(face(10, -0.9, 0.9, -1.5, 0.8, kWindow));

@@ -71,11 +71,29 @@ TEST_F(SplitterTest, EveryPointGoesToOnePart) {
   EXPECT_EQ(members, all);
 }
 
-TEST_F(SplitterTest, OneBoxLeavesTheClusterWhole) {
-  addCluster({personAt(6, 0.45), personAt(6, -0.45)});
-  addTarget(personAt(6, 0.45));
+TEST_F(SplitterTest, OneBoxLeavesItsClusterWhole) {
+  addCluster({personAt(6, 0.2), personAt(6, -0.2)});
+  addTarget(personAt(6, 0.2));
   split();
   EXPECT_TRUE(whole());
+}
+
+TEST_F(SplitterTest, OneBoxIsCutOutOfAClusterThatIsMuchWider) {
+  const Solid person = personAt(6, 1.5);
+  addCluster({person, {{6.3, -4, -1}, {6.5, 1.2, 1}}});  // a wall beside it
+  addTarget(person);
+  split();
+  ASSERT_EQ(bodies_.size(), 2u);
+  EXPECT_NEAR(bodies_[0].cluster.centre.y(), 1.5, 0.1);
+  EXPECT_NEAR(bodies_[0].cluster.box.sizes().y(), 0.5, 0.2);  // the margin takes some of the wall
+  EXPECT_LT(bodies_[1].cluster.centre.y(), -1.0);
+}
+
+TEST_F(SplitterTest, ManyBoxesOnOneBodyEndSoon) {
+  addCluster({{{6, -4, -1}, {6.5, 4, 1}}});
+  for (int i = 0; i < 100; ++i) addTarget(personAt(6, -4 + 0.08 * i)).score = 0.01 * i;
+  split();
+  EXPECT_LE(bodies_.size(), 17u);
 }
 
 TEST_F(SplitterTest, TwoOpinionsOfOneBodyLeaveItWhole) {

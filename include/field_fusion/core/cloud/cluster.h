@@ -72,6 +72,7 @@ struct Clusters {
   std::vector<int> labels;        ///< of each point of the cloud: its place in `clusters`, or kNoise
   std::size_t noise = 0;          ///< points that belong to no cluster
   std::size_t unusable = 0;       ///< points that are not finite or too far away to be placed
+  double row_gap = kNaN;          ///< [rad] between rows, for the method adaptive; 0: not known
   std::size_t too_large = 0;      ///< clusters left out for max_points; their points are labelled kNoise
 };
 

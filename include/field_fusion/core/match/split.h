@@ -24,8 +24,10 @@ struct SplitParams {
 /// which it is the likeliest of all bodies. Each of its points goes to the box in whose middle it lies most,
 /// in parts of the box's half width and height; what lies farther from every box than `margin` is a rest of
 /// its own. The split holds when every box then has enough points and its part passes the gate, alone as it
-/// is; a box that fails is left out and the others are tried again, down to two. A rest with too few points
-/// goes to the nearest parts.
+/// is; a box that fails is left out and the others are tried again. A rest with too few points goes to the
+/// nearest parts. One box alone splits a body more than twice as wide as the box, such as a wall with a
+/// person before it, where the rest has points enough. Of more than 16 boxes those with the highest scores
+/// are tried.
 ///
 /// Boxes that overlap by more than 30 % of the smaller are two opinions of one body (car and truck, rider and
 /// bicycle): of such only the one with the highest score counts.
@@ -45,6 +47,7 @@ class Splitter {
   };
   void findSharers(const std::vector<LidarTarget>& bodies, const CameraView& view);
   void dropSecondOpinions(std::vector<const CameraTarget*>& boxes) const;
+  bool tooWide(const LidarTarget& body, const ViewBox& box, const Transform& T_view_lidar) const;
   bool split(const LidarTarget& body, const std::vector<Point>& points, const Transform& T_view_lidar,
              std::vector<const CameraTarget*> boxes);
   void deal(const LidarTarget& body, const std::vector<Point>& points, const Transform& T_view_lidar,

@@ -54,8 +54,9 @@ class Sync {
   using Message = boost::shared_ptr<const void>;  ///< handed back as it came
 
   struct Answer {
-    Message detections;    ///< null: none near enough in time
-    double offset = kNaN;  ///< [s] corrected stamp of the nearest, near enough or not, minus the frame's
+    Message detections;  ///< null: none near enough in time
+    /// [s] Corrected stamp of the nearest, near enough or not, minus the frame's; NaN: that is still to come.
+    double offset = kNaN;
   };
   struct Frame {
     double stamp = kNaN;
