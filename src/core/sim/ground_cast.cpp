@@ -6,7 +6,7 @@
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kHorizon = 2e4;  // [m] no sensor sees water from farther
 
@@ -48,8 +48,8 @@ Water::Slope Water::above(const Line& line, double time, double t) const {
     const Eigen::Array4d rate = w.kx * line.direction.x() + w.ky * line.direction.y();
     const Eigen::Array4d start = w.kx * line.origin.x() + w.ky * line.origin.y() - w.omega * time + w.phase;
     const Eigen::Array4f phase = reduced(start + t * rate);
-    out.value -= (w.amplitude * phase.sin().cast<double>()).sum();
-    out.rate -= (w.amplitude * rate * phase.cos().cast<double>()).sum();
+    out.value -= (w.amplitude * phase.cos().cast<double>()).sum();
+    out.rate += (w.amplitude * rate * phase.sin().cast<double>()).sum();
   }
   return out;
 }
@@ -64,8 +64,10 @@ double Water::range(const Line& line, double time) const {
     t = (std::abs(z) - highest_) / std::abs(down);
   }
   const double lipschitz = std::abs(down) + steepest_ * flat, bend = bend_ * flat * flat;
+  const bool from_above = above(line, time, t).value > 0.0;
   for (int i = 0; i < 200 && t < kHorizon; ++i) {
     const Slope f = above(line, time, t);
+    if ((f.value > 0.0) != from_above) return t;  // rounding has carried it through
     if (std::abs(line.origin.z() + t * down) > highest_ && (z + t * down) * down > 0.0) return kFar;
     const double height = std::abs(f.value), fall = std::max(0.0, f.value > 0.0 ? -f.rate : f.rate);
     const double root = std::sqrt(fall * fall + 2.0 * bend * height);

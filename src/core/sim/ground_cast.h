@@ -7,8 +7,7 @@
 
 namespace field_fusion::core::sim {
 
-/// Deep-water waves: height(x, y, time) = sum of amplitude sin(k . (x, y) - omega time + phase),
-/// omega^2 = g |k|. Four waves at a time, sines in single precision of phases reduced in double.
+/// The waves of Ground::height, four at a time: sines in single precision of phases reduced in double.
 class Water {
  public:
   explicit Water(const std::vector<Wave>& waves);

@@ -1,0 +1,128 @@
+#include "builder.h"
+#include "kinds.h"
+#include "materials.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+struct Extent {
+  float x, y, h;  // half, half, all
+
+  explicit Extent(const ShapeParams& p)
+      : x(0.5f * of(p, "length")), y(0.5f * of(p, "width")), h(of(p, "height")) {}
+};
+
+Model table(const ShapeParams& p) {
+  const Extent e(p);
+  const float top = std::min(0.03f, 0.2f * e.h), leg = 0.06f * std::min(e.x, e.y) + 0.02f;
+  return Builder()
+      .use(wood())
+      .box({-e.x, -e.y, e.h - top}, {e.x, e.y, e.h})
+      .fourLegs(e.x, e.y, leg, e.h - top)
+      .build();
+}
+
+/// A table top on cupboards, as in a laboratory.
+Model labTable(const ShapeParams& p) {
+  const Extent e(p);
+  return Builder()
+      .use(plastic(kGrey))
+      .box({-e.x, -e.y, 0.94f * e.h}, {e.x, e.y, e.h})
+      .use(paint(kWhite))
+      .box({-0.95f * e.x, -0.9f * e.y, 0.1f * e.h}, {0.95f * e.x, 0.9f * e.y, 0.94f * e.h})
+      .use(matt(kBlack, 0.1f))
+      .box({-0.9f * e.x, -0.8f * e.y, 0}, {0.9f * e.x, 0.8f * e.y, 0.1f * e.h})
+      .build();
+}
+
+/// Seat at half the height; the back stands behind, at -x.
+Builder seat(const Extent& e, float leg) {
+  Builder builder;
+  builder.use(wood()).box({-e.x, -e.y, 0.5f * e.h - leg}, {e.x, e.y, 0.5f * e.h});
+  builder.fourLegs(e.x, e.y, leg, 0.5f * e.h - leg);
+  return builder;
+}
+
+Model chair(const ShapeParams& p) {
+  const Extent e(p);
+  const float leg = 0.12f * e.x;
+  return seat(e, leg).box({-e.x, -e.y, 0.5f * e.h}, {-e.x + leg, e.y, e.h}).build();
+}
+
+/// Two posts with rungs between them.
+Model ladderBack(const ShapeParams& p) {
+  const Extent e(p);
+  const float leg = 0.12f * e.x;
+  Builder builder = seat(e, leg);
+  for (const float y : {-e.y, e.y - leg}) builder.box({-e.x, y, 0.5f * e.h}, {-e.x + leg, y + leg, e.h});
+  for (const float z : {0.62f, 0.77f, 0.92f})
+    builder.box({-e.x, -e.y + leg, z * e.h}, {-e.x + 0.5f * leg, e.y - leg, (z + 0.05f) * e.h});
+  return builder.build();
+}
+
+/// Round, three legs, a ring to put the feet on.
+Model stool(const ShapeParams& p) {
+  const float r = 0.5f * of(p, "diameter"), h = of(p, "height"), leg = 0.08f * r, seat = 0.08f * h;
+  Builder builder;
+  builder.use(wood()).rod({0, 0, h - seat}, {0, 0, h}, r);
+  builder.use(steel());
+  for (int i = 0; i < 3; ++i) {
+    const double angle = radians(120.0) * i;
+    const float x = 0.85f * r * static_cast<float>(std::cos(angle)),
+                y = 0.85f * r * static_cast<float>(std::sin(angle));
+    builder.rod({x, y, 0}, {x, y, h - seat}, leg);
+  }
+  return builder.mesh(torus(0.85f * r + leg, leg, 0.3f * h)).build();
+}
+
+/// Slats on two trestles, with a back of two slats.
+Model bench(const ShapeParams& p) {
+  const Extent e(p);
+  const float slat = 0.03f, trestle = 0.06f, seat = 0.5f * e.h;
+  Builder builder;
+  builder.use(wood());
+  for (int i = 0; i < 4; ++i) {
+    const float x = -e.x + 0.5f * e.x * static_cast<float>(i);
+    builder.box({x, -e.y, seat - slat}, {x + 0.42f * e.x, e.y, seat});
+  }
+  for (const float z : {0.7f, 0.88f})
+    builder.box({-e.x, -e.y, z * e.h}, {-e.x + slat, e.y, (z + 0.12f) * e.h});
+  builder.use(steel());
+  for (const float y : {-0.8f * e.y, 0.8f * e.y - trestle}) {
+    builder.box({-e.x, y, 0}, {-e.x + trestle, y + trestle, 0.9f * e.h});
+    builder.box({e.x - trestle, y, 0}, {e.x, y + trestle, seat - slat});
+  }
+  return builder.build();
+}
+
+Model shelf(const ShapeParams& p) {
+  const Extent e(p);
+  const float board = 0.02f;
+  Builder builder;
+  builder.use(wood());
+  for (const float y : {-e.y, e.y - board}) builder.box({-e.x, y, 0}, {e.x, y + board, e.h});
+  builder.box({-e.x, -e.y + board, 0}, {-e.x + 0.5f * board, e.y - board, e.h});
+  for (int i = 0; i < 5; ++i) {
+    const float z = 0.25f * static_cast<float>(i) * (e.h - board);
+    builder.box({-e.x + 0.5f * board, -e.y + board, z}, {e.x, e.y - board, z + board});
+  }
+  return builder.build();
+}
+
+}  // namespace
+
+ShapeKinds furnitureShapes() {
+  return {
+      {"table", {"a table on four legs", {{"length", 0.7}, {"width", 1.4}, {"height", 0.75}}, table}},
+      {"experimental_table",
+       {"a laboratory table on cupboards", {{"length", 1.5}, {"width", 3}, {"height", 0.8}}, labTable}},
+      {"chair", {"a chair with a full back", {{"length", 0.45}, {"width", 0.45}, {"height", 0.9}}, chair}},
+      {"ladder_back",
+       {"a chair with rungs for a back", {{"length", 0.45}, {"width", 0.45}, {"height", 1}}, ladderBack}},
+      {"stool", {"a round stool on three legs", {{"diameter", 0.35}, {"height", 0.45}}, stool}},
+      {"bench", {"a park bench", {{"length", 0.5}, {"width", 1.6}, {"height", 0.85}}, bench}},
+      {"shelf", {"an open shelf", {{"length", 0.35}, {"width", 1}, {"height", 1.8}}, shelf}},
+  };
+}
+
+}  // namespace field_fusion::core::sim

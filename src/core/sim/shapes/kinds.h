@@ -1,0 +1,17 @@
+#pragma once
+// The parts of the library of shapes.
+#include "field_fusion/core/sim/shapes.h"
+
+namespace field_fusion::core::sim {
+
+using ShapeKinds = std::map<std::string, ShapeKind>;
+
+ShapeKinds plainShapes();
+ShapeKinds obstacleShapes();
+ShapeKinds furnitureShapes();
+ShapeKinds streetShapes();
+ShapeKinds vehicleShapes();
+ShapeKinds marineShapes();
+ShapeKinds personShapes();
+
+}  // namespace field_fusion::core::sim
