@@ -173,4 +173,47 @@ bool Caster::blocked(const Ray& ray, float distance) const {
   return query.tfar < 0.f;
 }
 
+void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t count) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  for (std::size_t from = 0; from < count; from += kPacket) {
+    const std::size_t here = std::min(kPacket, count - from);
+    alignas(32) int valid[kPacket] = {};
+    RTCRayHit8 packet;
+    for (std::size_t i = 0; i < here; ++i) {
+      const Ray& ray = rays[from + i];
+      results[from + i] = false;
+      if (!castable(ray) || !(distance > 0.f)) continue;
+      results[from + i] = scene_->groundRange(ray) < static_cast<double>(distance);
+      put(embreeRay(ray, distance, scene_->numbered), packet, i);
+      valid[i] = results[from + i] ? 0 : -1;
+    }
+    rtcOccluded8(valid, scene_->top.get(), &context, &packet.ray);
+    for (std::size_t i = 0; i < here; ++i)
+      if (valid[i]) results[from + i] = packet.ray.tfar[i] < 0.f;
+  }
+}
+
+float Caster::rangeTo(int body, const Ray& ray) const {
+  if (!castable(ray)) return kEndless;
+  const auto [first, last] = scene_->instances.of(body);
+  float nearest = kEndless;
+  for (unsigned i = first; i < last; ++i) {
+    const Instance& instance = scene_->instances[i];
+    const Affine T = instance.worldToLink(ray.time);
+    RTCRayHit query{embreeRay(ray, nearest, scene_->numbered), {}};
+    const Eigen::Vector3f origin = (T * ray.origin.cast<double>()).cast<float>();
+    const Eigen::Vector3f direction = (T.linear() * ray.direction.cast<double>()).cast<float>();
+    query.ray.org_x = origin.x(), query.ray.org_y = origin.y(), query.ray.org_z = origin.z();
+    query.ray.dir_x = direction.x(), query.ray.dir_y = direction.y(), query.ray.dir_z = direction.z();
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(instance.scene, &context, &query);
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) nearest = query.ray.tfar;
+  }
+  return nearest;
+}
+
 }  // namespace field_fusion::core::sim

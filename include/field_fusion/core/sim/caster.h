@@ -38,6 +38,10 @@ class Caster {
   void cast(const Ray* rays, Hit* hits, std::size_t count) const;
   /// Whether something stands between the origin and `distance` [m] along the ray.
   bool blocked(const Ray& ray, float distance) const;
+  /// The same for many rays, eight at a time.
+  void blocked(const Ray* rays, float distance, bool* results, std::size_t count) const;
+  /// [m] to a body, or Hit::kRobot, as if it were alone in the world; infinite: missed.
+  float rangeTo(int body, const Ray& ray) const;
 
  private:
   struct Scene;
