@@ -63,8 +63,10 @@ double Water::range(const Line& line, double time) const {
     t = (std::abs(z) - highest_) / std::abs(down);
   }
   const double lipschitz = std::abs(down) + steepest_ * flat, bend = bend_ * flat * flat;
+  const bool from_above = above(line, time, t).value > 0.0;
   for (int i = 0; i < 200 && t < kHorizon; ++i) {
     const Slope f = above(line, time, t);
+    if ((f.value > 0.0) != from_above) return t;  // rounding has carried it through
     if (std::abs(line.origin.z() + t * down) > highest_ && (z + t * down) * down > 0.0) return kFar;
     const double height = std::abs(f.value), fall = std::max(0.0, f.value > 0.0 ? -f.rate : f.rate);
     const double root = std::sqrt(fall * fall + 2.0 * bend * height);
