@@ -52,8 +52,7 @@ class DepthSource : public SimSource {
          imageMessage(header, "16UC1", size, image.millimetres));
     if (setup_.params.depth_metres)
       send(sink, mount_.topic("depth/image_rect"), ready, imageMessage(header, "32FC1", size, image.metres));
-    if (setup_.params.depth_points)
-      send(sink, mount_.topic("depth/points"), ready, pointsOf(header, image));
+    if (setup_.params.depth_points) send(sink, mount_.topic("depth/points"), ready, pointsOf(header, image));
     if (!setup_.params.truth || !setup_.params.labels) return;
     const auto& bodies = camera_.truth().bodies;
     send(sink, mount_.truthTopic("labels"), ready,

@@ -1,6 +1,6 @@
 // Inertial unit, satellite receiver and odometry of the simulator.
-#include <boost/make_shared.hpp>
 #include <tf2_eigen/tf2_eigen.h>
+#include <boost/make_shared.hpp>
 
 #include "field_fusion/core/sim/gnss.h"
 #include "field_fusion/core/sim/imu.h"
@@ -14,9 +14,9 @@ namespace {
 
 namespace sim = core::sim;
 
-constexpr double kEarthRadius = 6378137.0;           // m, WGS 84
+constexpr double kEarthRadius = 6378137.0;                // m, WGS 84
 constexpr double kLatitude = 25.15, kLongitude = 121.78;  // deg of the world's origin, near Keelung
-constexpr double kUnknown = 1e6;                     // variance of what an odometry does not measure
+constexpr double kUnknown = 1e6;                          // variance of what an odometry does not measure
 
 template <class P>
 P paramsOf(const SimSetup& setup, const sim::Mount& mount) {
@@ -68,8 +68,7 @@ class GnssSource : public SimSource {
     message->status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
     message->latitude = kLatitude + core::degrees(sample.position.y() / kEarthRadius);
     message->longitude =
-        kLongitude +
-        core::degrees(sample.position.x() / (kEarthRadius * std::cos(core::radians(kLatitude))));
+        kLongitude + core::degrees(sample.position.x() / (kEarthRadius * std::cos(core::radians(kLatitude))));
     message->altitude = sample.position.z();
     for (std::size_t i = 0; i < 3; ++i)
       message->position_covariance[4 * i] = std::pow(sample.sigma[static_cast<Eigen::Index>(i)], 2);

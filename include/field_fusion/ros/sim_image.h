@@ -1,7 +1,7 @@
 #pragma once
 // Images of the simulator as messages.
-#include <boost/make_shared.hpp>
 #include <sensor_msgs/Image.h>
+#include <boost/make_shared.hpp>
 
 #include <cstring>
 #include <string>

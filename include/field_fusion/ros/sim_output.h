@@ -1,6 +1,5 @@
 #pragma once
 // What a simulation gives out, one message at a time: into a bag or to publishers.
-#include <boost/shared_ptr.hpp>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -12,6 +11,7 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
+#include <boost/shared_ptr.hpp>
 
 #include <functional>
 #include <string>

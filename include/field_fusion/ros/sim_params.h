@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "field_fusion/core/base/params.h"
 
@@ -9,13 +10,16 @@ namespace field_fusion {
 struct SimParams {
   std::string world = "usv_harbour";
   int seed = 1;
+  std::vector<std::string> mounts;
   bool truth = true;
   bool depth_metres = false, depth_points = false, labels = false;
 
   void declare(core::Params& p) {
     using core::When;
-    p.text("world", world, When::kStart, "File of the world, or the name of one that comes with the package.");
+    p.text("world", world, When::kStart,
+           "File of the world, or the name of one that comes with the package.");
     p.number("seed", seed, {0, 2147483647}, "", When::kStart, "Of every error that sensors make.");
+    p.texts("mounts", mounts, When::kStart, "Sensors that take part; empty: all.");
     p.flag("truth", truth, When::kStart, "Also what no stage may read: truth/...");
     p.flag("depth_metres", depth_metres, When::kStart, "Depth images also as 32FC1.");
     p.flag("depth_points", depth_points, When::kStart, "Depth images also as clouds.");

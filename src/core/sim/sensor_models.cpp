@@ -85,6 +85,13 @@ SensorParams read(const std::string& file, const Overrides& overrides) {
 
 }  // namespace
 
+std::string sensorKind(const std::string& folder, const std::string& model) {
+  const std::string file = fileOf(folder, model);
+  const YAML::Node root = load(file), kind = root["kind"];
+  if (!kind || !kind.IsScalar()) Source{file}.fail("kind is missing");
+  return kind.Scalar();
+}
+
 void readSensorFile(const std::string& file, const Overrides& overrides, Params& declared) {
   setFromFile(file, load(file), declared);
   for (const auto& [key, text] : overrides) {

@@ -33,21 +33,24 @@ void checkOverride(const Yaml& value, const Yaml& usual, const std::string& key)
 }
 
 Mount readMount(const Yaml& yaml, const std::string& sensors) {
-  static const std::vector<std::string> own{"name", "model", "pose"};
+  static const std::vector<std::string> own{"name", "model", "pose", "clock_error"};
   Mount mount;
   const auto keys = yaml.keys();
   mount.name = yaml["name"].text();
   mount.model = yaml["model"].text();
   mount.T_base_sensor = yaml.has("pose") ? readFrame(yaml["pose"]) : Transform::Identity();
+  if (yaml.has("clock_error")) mount.clock_error = yaml["clock_error"].number(0, 1);
   const auto models = modelsIn(sensors);
   if (std::find(models.begin(), models.end(), mount.model) == models.end())
     yaml["model"].fail("no sensor " + mount.model + " in " + sensors + nearestName(mount.model, models));
 
   const Yaml usual = Yaml::file((fs::path(sensors) / (mount.model + ".yaml")).string());
-  const auto parameters = usual.keys();
+  auto parameters = usual.keys();
+  parameters.erase(std::remove(parameters.begin(), parameters.end(), "kind"), parameters.end());
   for (const std::string& key : keys) {
     if (std::find(own.begin(), own.end(), key) != own.end()) continue;
-    if (!usual.has(key)) yaml[key].fail("no parameter of " + mount.model + nearestName(key, parameters));
+    if (std::find(parameters.begin(), parameters.end(), key) == parameters.end())
+      yaml[key].fail("no parameter of " + mount.model + nearestName(key, parameters));
     checkOverride(yaml[key], usual[key], key);
     mount.overrides[key] = yaml[key].dump();
   }

@@ -24,6 +24,9 @@ using Overrides = std::map<std::string, std::string>;
 /// or out of its range, or a rule that is broken. The key `kind` is passed over.
 void readSensorFile(const std::string& file, const Overrides& overrides, Params& declared);
 
+/// What FOLDER/MODEL.yaml says it is, other kinds than SensorKind too. Throws where it says nothing.
+std::string sensorKind(const std::string& folder, const std::string& model);
+
 /// Of FOLDER/MODEL.yaml. Throws as readSensorFile, and for an unknown model or kind.
 SensorParams sensorParams(const std::string& folder, const std::string& model,
                           const Overrides& overrides = {});
