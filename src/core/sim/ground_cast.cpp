@@ -6,7 +6,6 @@
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kHorizon = 2e4;  // [m] no sensor sees water from farther
 
