@@ -106,19 +106,23 @@ struct Caster::Scene {
             line.at(c.t).cast<float>(), instanced ? &part.material : &world.ground.material};
   }
 
-  Hit finish(const Ray& ray, double to_ground, const Found& found) const {
-    if (found.geometry != RTC_INVALID_GEOMETRY_ID) return partHit(ray, found);
+  /// The water is looked for only where Embree's find does not lie before all of it.
+  Hit finish(const Ray& ray, const Span& ground_bounds, const Found& found) const {
+    const bool met = found.geometry != RTC_INVALID_GEOMETRY_ID;
+    if (met && static_cast<double>(found.range) <= ground_bounds.enter) return partHit(ray, found);
+    const double to_ground = std::isfinite(ground_bounds.enter) ? groundRange(ray) : kEndless;
+    if (met && static_cast<double>(found.range) <= to_ground) return partHit(ray, found);
     return std::isfinite(to_ground) ? groundHit(ray, to_ground) : Hit{};
   }
 
   void castPacket(const Ray* rays, Hit* hits, std::size_t count) const {
     alignas(32) int valid[kPacket] = {};
-    double to_ground[kPacket];
+    Span bounds[kPacket];
     RTCRayHit8 packet;
     for (std::size_t i = 0; i < kPacket; ++i) {
       if (i >= count || !castable(rays[i])) continue;
-      to_ground[i] = groundRange(rays[i]);
-      put(embreeRay(rays[i], static_cast<float>(to_ground[i]), numbered), packet, i);
+      bounds[i] = ground.bounds(lineOf(rays[i]));
+      put(embreeRay(rays[i], static_cast<float>(bounds[i].leave), numbered), packet, i);
       valid[i] = -1;
     }
     RTCIntersectContext context;
@@ -126,7 +130,7 @@ struct Caster::Scene {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid, top.get(), &context, &packet);
     for (std::size_t i = 0; i < count; ++i)
-      hits[i] = valid[i] ? finish(rays[i], to_ground[i],
+      hits[i] = valid[i] ? finish(rays[i], bounds[i],
                                   {packet.ray.tfar[i], packet.hit.instID[0][i], packet.hit.geomID[i],
                                    packet.hit.primID[i]})
                          : Hit{};
@@ -148,13 +152,13 @@ void Caster::setWindow(double begin, double end) {
 
 Hit Caster::cast(const Ray& ray) const {
   if (!castable(ray)) return {};
-  const double to_ground = scene_->groundRange(ray);
-  RTCRayHit query{embreeRay(ray, static_cast<float>(to_ground), scene_->numbered), {}};
+  const Span bounds = scene_->ground.bounds(lineOf(ray));
+  RTCRayHit query{embreeRay(ray, static_cast<float>(bounds.leave), scene_->numbered), {}};
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_->top.get(), &context, &query);
-  return scene_->finish(ray, to_ground,
+  return scene_->finish(ray, bounds,
                         {query.ray.tfar, query.hit.instID[0], query.hit.geomID, query.hit.primID});
 }
 
