@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include "field_fusion/core/base/params_text.h"
+#include "field_fusion/core/sim/imu.h"
+#include "field_fusion/core/sim/scanner2d.h"
 #include "field_fusion/core/sim/world.h"
 #include "support/temp_folder.h"
 
@@ -11,8 +14,10 @@ namespace {
 class WorldFile : public testing::Test {
  protected:
   WorldFile() {
-    folder_.write("sensors/imu_a.yaml", "rate: 200.0\nnoise: 0.1\nmode: fast\n");
-    folder_.write("sensors/scan_b.yaml", "rate: 10.0\nrows: [1, 2]\n");
+    ImuParams imu;
+    folder_.write("sensors/imu_a.yaml", "kind: imu\n" + toYaml(declarationOf(imu)));
+    Scanner2dParams scan;
+    folder_.write("sensors/scan_b.yaml", "kind: scanner2d\n" + toYaml(declarationOf(scan)));
   }
   World load(const std::string& text) const {
     return loadWorld(folder_.write("worlds/w.yaml", text).string());
@@ -46,7 +51,7 @@ robot:
   name: dog
   pose: [0, 0, 0]
   mounts:
-    - {name: imu, model: imu_a, noise: 0.3}
+    - {name: imu, model: imu_a, gyro_noise: 0.3}
     - {name: scan, model: scan_b, pose: [0.1, 0, 0.5, 0, 90, 0]}
   body: {shape: box, params: {height: 0.4}}
 dimensions:
@@ -74,7 +79,7 @@ TEST_F(WorldFile, RobotHasItsMounts) {
   const Robot robot = load(kFull).robot;
   EXPECT_EQ(robot.name, "dog");
   ASSERT_EQ(robot.mounts.size(), 2u);
-  EXPECT_EQ(robot.mounts[0].overrides.at("noise"), "0.3");
+  EXPECT_EQ(robot.mounts[0].overrides.at("gyro_noise"), "0.3");
   const Transform& T = robot.mounts[1].T_base_sensor;  // pitched by 90 degrees: looks down
   EXPECT_TRUE((T.linear() * Eigen::Vector3d::UnitX()).isApprox(-Eigen::Vector3d::UnitZ(), 1e-9));
   EXPECT_NEAR(robot.model.box().max().z(), 0.4, 1e-6);
@@ -140,10 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"ground: {kind: lava}\n", "1: ground.kind: 'lava' is none of none, plane, rough, water"},
         Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, rate: 0}]}\n",
               "1: robot.mounts[0].rate: 0 must be above 0"},
-        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, nose: 1}]}\n",
-              "1: robot.mounts[0].nose: no parameter of imu_a (did you mean noise?)"},
-        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, noise: much}]}\n",
-              "1: robot.mounts[0].noise: must be a number"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, gyro_nose: 1}]}\n",
+              "1: robot.mounts[0].gyro_nose: no parameter of imu_a (did you mean gyro_noise?)"},
         Fault{"robot:\n pose: [0, 0]\n mounts:\n  - {name: a, model: imu_a}\n  - {name: a, model: scan_b}\n",
               "5: robot.mounts[1]: two sensors are named a"},
         Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0]}]}\n",
@@ -178,6 +181,20 @@ TEST_F(WorldFile, AnUnknownSensorIsNamedWithTheNearest) {
   const std::string says = fault("robot: {pose: [0, 0], mounts: [{name: a, model: imu_b}]}\n");
   EXPECT_EQ(says.rfind("1: robot.mounts[0].model: no sensor imu_b in ", 0), 0u) << says;
   EXPECT_NE(says.find("(did you mean imu_a?)"), std::string::npos) << says;
+}
+
+TEST_F(WorldFile, AnOverrideOutOfRangeOrOfAnotherTypeIsNamed) {
+  for (const char* value : {"-1.0", "much"}) {
+    const std::string mount = std::string("{name: a, model: imu_a, gyro_noise: ") + value + "}";
+    std::string says;
+    try {
+      load("robot: {pose: [0, 0], mounts: [" + mount + "]}\n");
+    } catch (const std::runtime_error& fault) {
+      says = fault.what();
+    }
+    EXPECT_NE(says.find("w.yaml:1: robot.mounts[0]: "), std::string::npos) << says;
+    EXPECT_NE(says.find("gyro_noise"), std::string::npos) << says;
+  }
 }
 
 TEST_F(WorldFile, ARobotAmongBodiesButInNoneIsFree) {

@@ -17,7 +17,7 @@ struct ImuParams {
   double gyro_walk = 0.002;
   double gyro_range = 2000.0;
   double accel_noise = 150.0;
-  double accel_bias = 30.0;
+  double accel_bias = 70.0;
   double accel_walk = 0.02;
   double accel_range = 16.0;
 
