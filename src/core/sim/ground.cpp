@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "field_fusion/core/sim/ride.h"
-#include "random.h"
 
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kPi = radians(180.0);
 constexpr std::size_t kRipples = 48;  // plane waves that make up a rough ground
 
@@ -20,11 +19,13 @@ using Ripples = std::array<Ripple, kRipples>;
 /// Wave lengths from 2 to 5 grains (a bump is half of one), in all directions.
 Ripples drawRipples(unsigned seed, double grain) {
   Ripples ripples;
+  std::mt19937_64 random(seed);
+  const auto draw = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };  // in [0, 1)
   for (std::size_t i = 0; i < kRipples; ++i) {
-    const double length = 2 * grain * std::pow(2.5, (i + unitHash(seed, 3 * i)) / kRipples);
-    const double heading = 2 * kPi * unitHash(seed, 3 * i + 1);
+    const double length = 2 * grain * std::pow(2.5, (i + draw()) / kRipples);
+    const double heading = 2 * kPi * draw();
     const double k = 2 * kPi / length;
-    ripples[i] = {k * std::cos(heading), k * std::sin(heading), 2 * kPi * unitHash(seed, 3 * i + 2)};
+    ripples[i] = {k * std::cos(heading), k * std::sin(heading), 2 * kPi * draw()};
   }
   return ripples;
 }
@@ -109,7 +110,8 @@ double Ground::height(double x, double y, double time) const {
 
 Trajectory carriedByGround(const Trajectory& way, const Ground& ground, Ride ride, double length,
                            double width) {
-  if (ground.kind == Ground::Kind::kNone) return way;
+  const bool water = ground.kind == Ground::Kind::kWater;
+  if (ground.kind == Ground::Kind::kNone || (water && ride != Ride::kFloating)) return way;
   const bool moves = ride == Ride::kFloating && !ground.waves.empty();
   const double least = 0.1;  // [m] a footprint has two directions
   length = std::max(length, least), width = std::max(width, least);

@@ -8,7 +8,6 @@
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostFours = 8;
 constexpr double kEnough = 1e-6;  // relative: the next step would be its square

@@ -121,11 +121,12 @@ TEST(SimRide, WavesShorterThanTheBodyMoveItLittle) {
   for (double t = 0; t < 2; t += 0.1) EXPECT_LT(std::abs(ship.pose(t).translation().z()), 0.05);
 }
 
-TEST(SimRide, NoGroundLeavesTheWay) {
-  Ground ground;
-  ground.kind = Ground::Kind::kNone;
+TEST(SimRide, WithoutGroundAndFixedInWaterTheWayIsAll) {
+  Ground none;
+  none.kind = Ground::Kind::kNone;
   const Trajectory way({{{5, 1, 7}, 0.0, 0.0}}, {});
-  EXPECT_TRUE(carriedByGround(way, ground, Ride::kLeaning, 1, 1).pose(0).isApprox(way.pose(0)));
+  for (const Ground& ground : {none, water({{0.3, 8.0, 0.0, 0.0}})})
+    EXPECT_TRUE(carriedByGround(way, ground, Ride::kLeaning, 1, 1).pose(3).isApprox(way.pose(0)));
 }
 
 }  // namespace

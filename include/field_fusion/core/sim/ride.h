@@ -13,7 +13,7 @@ enum class Ride {
 
 /// `length` and `width` [m] of the footprint, about the body's origin. Heave is the mean height of the ground
 /// over it, roll and pitch are those of the plane that fits it best, so waves shorter than the body move it
-/// little. A ground of kind kNone leaves the body where its way is.
+/// little. Where there is no ground, and over water unless it floats, the body stays where its way is.
 Trajectory carriedByGround(const Trajectory& way, const Ground& ground, Ride ride, double length,
                            double width);
 

@@ -10,6 +10,8 @@
 
 namespace field_fusion::core::sim {
 
+constexpr double kGravity = 9.80665;  ///< [m/s^2]
+
 struct Body {
   std::string name;   ///< unique in the world
   std::string label;  ///< class; empty: part of the surroundings, such as a wall
@@ -60,15 +62,25 @@ struct Robot {
   Model model;  ///< its own body, which its sensors see too
 };
 
+/// A length of the world that maps are measured by.
+struct Dimension {
+  std::string name;
+  Eigen::Vector3d from, to;  ///< [m] world
+
+  double length() const { return (to - from).norm(); }
+};
+
 struct World {
   std::string name;
   std::vector<Body> bodies;
   Ground ground;
   Light light;
   Robot robot;
+  std::vector<Dimension> dimensions;
 };
 
-/// Throws std::runtime_error naming file, line and key of the first fault.
-World loadWorld(const std::string& file);
+/// The format: docs/worlds.md. Sensor models are the files of `sensors`, by default the folder of that name
+/// beside the world's own folder. Throws std::runtime_error naming file, line and key of the first fault.
+World loadWorld(const std::string& file, const std::string& sensors = "");
 
 }  // namespace field_fusion::core::sim

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "field_fusion/core/sim/shapes.h"
+#include "world_parts.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Model shapeOf(const Yaml& yaml) {
+  const std::string name = yaml["shape"].text();
+  const auto& kinds = shapeKinds();
+  std::vector<std::string> known;
+  for (const auto& kind : kinds) known.push_back(kind.first);
+  if (!kinds.count(name)) yaml["shape"].fail("no shape is named " + name + nearestName(name, known));
+
+  ShapeParams params;
+  if (yaml.has("params")) {
+    known.clear();
+    for (const auto& param : kinds.at(name).defaults) known.push_back(param.first);
+    yaml["params"].onlyKeys(known);
+    for (const std::string& key : yaml["params"].keys()) params[key] = yaml["params"][key].number();
+  }
+  Model model;
+  (yaml.has("params") ? yaml["params"] : yaml["shape"]).check([&] { model = makeShape(name, params); });
+  return model;
+}
+
+Model meshOf(const Yaml& yaml) {
+  namespace fs = std::filesystem;
+  if (yaml.has("params")) yaml["params"].fail("are for a shape, not for a mesh");
+  const fs::path path = fs::path(yaml.fileName()).parent_path() / yaml["mesh"].text();
+  const double scale = yaml.has("scale") ? yaml["scale"].positive() : 1.0;
+  try {
+    return {{{{{loadMesh(path.string(), scale), {}}}, {}}}};
+  } catch (const std::runtime_error& fault) {
+    yaml["mesh"].fail(fault.what());
+  }
+}
+
+Model partsOf(const Yaml& parts) {
+  Model model;
+  for (const Yaml& part : parts.list()) {
+    part.onlyKeys(joined(kModelKeys, {"at"}));
+    const int first = static_cast<int>(model.links.size());
+    for (Link& link :
+         moved(readModel(part), part.has("at") ? readFrame(part["at"]) : Transform::Identity()).links) {
+      if (link.parent >= 0) link.parent += first;
+      model.links.push_back(std::move(link));
+    }
+  }
+  if (model.links.empty()) parts.fail("must not be empty");
+  return model;
+}
+
+/// Places of a grid: `count` along x and y, `step` m apart.
+std::vector<Eigen::Vector2d> readRepeat(const Yaml& repeat) {
+  repeat.onlyKeys({"count", "step"});
+  const auto counts = repeat["count"].list(), steps = repeat["step"].list();
+  if (counts.size() != 2 || steps.size() != 2) repeat.fail("count and step must be [along x, along y]");
+  std::vector<Eigen::Vector2d> out;
+  for (int i = 0; i < counts[0].whole(1, 1000); ++i)
+    for (int j = 0; j < counts[1].whole(1, 1000); ++j)
+      out.emplace_back(i * steps[0].number(), j * steps[1].number());
+  return out;
+}
+
+void checkName(const Yaml& yaml, const std::string& name, const std::vector<Body>& bodies) {
+  for (const Body& other : bodies)
+    if (other.name == name) yaml.fail("two bodies are named " + name);
+}
+
+}  // namespace
+
+void readMaterial(const Yaml& yaml, Material& material) {
+  yaml.onlyKeys({"colour", "colour2", "texture", "texture_size", "reflectivity", "gloss", "transparency"});
+  const auto colour = [&yaml](const char* key, Eigen::Vector3f& out) {
+    if (!yaml.has(key)) return;
+    const auto items = yaml[key].list();
+    if (items.size() != 3) yaml[key].fail("must be [red, green, blue]");
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(items[static_cast<std::size_t>(i)].number(0, 1));
+  };
+  const auto share = [&yaml](const char* key, float& out) {
+    if (yaml.has(key)) out = static_cast<float>(yaml[key].number(0, 1));
+  };
+  colour("colour", material.colour);
+  colour("colour2", material.colour2);
+  if (yaml.has("texture"))
+    material.texture = static_cast<Material::Texture>(
+        yaml["texture"].oneOf({"plain", "noise", "checker", "stripes", "bricks"}));
+  if (yaml.has("texture_size")) material.texture_size = static_cast<float>(yaml["texture_size"].positive());
+  share("reflectivity", material.reflectivity);
+  share("gloss", material.gloss);
+  share("transparency", material.transparency);
+}
+
+Model readModel(const Yaml& yaml) {
+  const int kinds = yaml.has("shape") + yaml.has("mesh") + yaml.has("parts");
+  if (kinds != 1) yaml.fail("needs one of shape, mesh and parts");
+  Model model = yaml.has("shape") ? shapeOf(yaml) : yaml.has("mesh") ? meshOf(yaml) : partsOf(yaml["parts"]);
+  if (yaml.has("material"))
+    for (Link& link : model.links)
+      for (Part& part : link.parts) readMaterial(yaml["material"], part.material);
+  return model;
+}
+
+std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground) {
+  std::vector<Body> bodies;
+  for (const Yaml& item : yaml.list()) {
+    item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat"}));
+    Body body;
+    if (item.has("label")) body.label = item["label"].text();
+    body.model = readModel(item);
+    body.size = body.model.box().sizes();
+    const bool several = item.has("repeat");
+    const auto places = several ? readRepeat(item["repeat"]) : std::vector{Eigen::Vector2d(0, 0)};
+    const std::string name = item["name"].text();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      body.name = several ? name + "_" + std::to_string(i + 1) : name;
+      body.way = readWay(item, ground, body.model, places[i]);
+      checkName(item, body.name, bodies);
+      bodies.push_back(body);
+    }
+  }
+  return bodies;
+}
+
+}  // namespace field_fusion::core::sim

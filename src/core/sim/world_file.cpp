@@ -1,0 +1,116 @@
+#include <cmath>
+#include <filesystem>
+
+#include "world_parts.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+Wave readWave(const Yaml& yaml) {
+  yaml.onlyKeys({"amplitude", "length", "heading_deg", "phase_deg"});
+  Wave wave;
+  wave.amplitude = yaml["amplitude"].number(0, 100);
+  wave.length = yaml["length"].positive();
+  if (yaml.has("heading_deg")) wave.heading = radians(yaml["heading_deg"].number());
+  if (yaml.has("phase_deg")) wave.phase = radians(yaml["phase_deg"].number());
+  return wave;
+}
+
+/// Keys that a kind of ground has beside kind and material.
+std::vector<std::string> keysOf(Ground::Kind kind) {
+  switch (kind) {
+    case Ground::Kind::kPlane:
+      return {"slope_deg"};
+    case Ground::Kind::kRough:
+      return {"slope_deg", "roughness", "grain", "half_extent", "seed"};
+    case Ground::Kind::kWater:
+      return {"waves"};
+    default:
+      return {};
+  }
+}
+
+Ground readGround(const Yaml& yaml) {
+  Ground ground;
+  ground.kind = static_cast<Ground::Kind>(yaml["kind"].oneOf({"none", "plane", "rough", "water"}));
+  auto keys = keysOf(ground.kind);
+  keys.insert(keys.end(), {"kind", "material"});
+  yaml.onlyKeys(keys);
+  if (yaml.has("slope_deg")) {
+    const auto slope = yaml["slope_deg"].list();
+    if (slope.size() != 2) yaml["slope_deg"].fail("must be [along x, along y]");
+    for (int i = 0; i < 2; ++i)
+      ground.slope[i] = std::tan(radians(slope[static_cast<std::size_t>(i)].number(-60, 60)));
+  }
+  if (yaml.has("roughness")) ground.roughness = yaml["roughness"].number(0, 10);
+  if (yaml.has("grain")) ground.grain = yaml["grain"].positive();
+  if (yaml.has("half_extent")) ground.half_extent = yaml["half_extent"].positive();
+  if (yaml.has("seed")) ground.seed = static_cast<unsigned>(yaml["seed"].whole(0, 1000000000));
+  if (yaml.has("waves"))
+    for (const Yaml& wave : yaml["waves"].list()) ground.waves.push_back(readWave(wave));
+  if (yaml.has("material")) readMaterial(yaml["material"], ground.material);
+  return ground;
+}
+
+Light readLight(const Yaml& yaml) {
+  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky"});
+  Light light;
+  Polar sun = polar(light.to_sun);
+  if (yaml.has("sun_azimuth_deg")) sun.azimuth = radians(yaml["sun_azimuth_deg"].number());
+  if (yaml.has("sun_elevation_deg")) sun.elevation = radians(yaml["sun_elevation_deg"].number(-90, 90));
+  light.to_sun = cartesian({1.0, sun.azimuth, sun.elevation});
+  if (yaml.has("sun")) light.sun = yaml["sun"].number(0, 1000);
+  if (yaml.has("sky")) light.sky = yaml["sky"].number(0, 1000);
+  return light;
+}
+
+std::vector<Dimension> readDimensions(const Yaml& yaml) {
+  std::vector<Dimension> out;
+  for (const Yaml& item : yaml.list()) {
+    item.onlyKeys({"name", "from", "to"});
+    Dimension dimension{item["name"].text(), readFrame(item["from"]).translation(),
+                        readFrame(item["to"]).translation()};
+    if (dimension.length() == 0) item.fail("both ends are at one place");
+    for (const Dimension& other : out)
+      if (other.name == dimension.name) item.fail("two dimensions are named " + other.name);
+    out.push_back(std::move(dimension));
+  }
+  return out;
+}
+
+/// Sensors and the middle of the robot's own body, against every other body at the start.
+void checkRobotIsFree(const World& world, const Yaml& yaml) {
+  const Transform T_world_base = world.robot.way.pose(0);
+  const auto check = [&](const std::string& what, const Eigen::Vector3d& place) {
+    for (const Body& body : world.bodies)
+      if (inside(body.model, body.way.pose(0).inverse() * (T_world_base * place), 0))
+        yaml.fail(what + " is inside the body " + body.name + " at the start");
+  };
+  const bool has_body = !world.robot.model.links.empty();
+  check("the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
+  for (const Mount& mount : world.robot.mounts)
+    check("the sensor " + mount.name, mount.T_base_sensor.translation());
+}
+
+}  // namespace
+
+World loadWorld(const std::string& file, const std::string& sensors) {
+  const Yaml yaml = Yaml::file(file);
+  yaml.onlyKeys({"name", "ground", "light", "bodies", "robot", "dimensions"});
+  World world;
+  world.name = yaml.has("name") ? yaml["name"].text() : fs::path(file).stem().string();
+  if (yaml.has("ground")) world.ground = readGround(yaml["ground"]);
+  if (yaml.has("light")) world.light = readLight(yaml["light"]);
+  if (yaml.has("bodies")) world.bodies = readBodies(yaml["bodies"], world.ground);
+  if (yaml.has("dimensions")) world.dimensions = readDimensions(yaml["dimensions"]);
+  const std::string beside = (fs::path(file).parent_path() / ".." / "sensors").lexically_normal().string();
+  if (yaml.has("robot")) {
+    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors);
+    checkRobotIsFree(world, yaml["robot"]);
+  }
+  return world;
+}
+
+}  // namespace field_fusion::core::sim

@@ -1,0 +1,144 @@
+#include <cmath>
+
+#include "world_parts.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+using WayPoint = Trajectory::WayPoint;
+
+/// Usual shaking. [Hz], [deg] of roll, pitch, yaw and [m] of x, y, z, [deg] of phase.
+struct PresetTerm {
+  double frequency, roll, pitch, yaw, x, y, z, phase;
+};
+
+std::vector<PresetTerm> preset(const Yaml& yaml) {
+  switch (yaml.oneOf({"gait", "waves", "road"})) {
+    case 0:  // a trot of two strides a second: rolls and sways with the stride, bounces with each step
+      return {{2.0, 1.5, 0.0, 0.7, 0.0, 0.006, 0.0, 0.0}, {4.0, 0.0, 1.0, 0.0, 0.003, 0.0, 0.008, 40.0}};
+    case 1:  // a small vessel in a light swell; of several lengths, so that it does not repeat soon
+      return {{0.23, 3.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0},
+              {0.31, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 70.0},
+              {0.41, 2.0, 0.0, 0.5, 0.0, 0.0, 0.03, 130.0},
+              {0.53, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 200.0}};
+    default:  // springs, and the wheels' hop
+      return {{1.4, 0.4, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0},
+              {1.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 60.0},
+              {11.0, 0.05, 0.08, 0.0, 0.0, 0.0, 0.001, 120.0}};
+  }
+}
+
+Shake::Term termOf(const PresetTerm& t, double scale) {
+  Shake::Term term;
+  term.amplitude << radians(t.roll), radians(t.pitch), radians(t.yaw), t.x, t.y, t.z;
+  term.amplitude *= scale;
+  term.frequency = t.frequency;
+  term.phase.setConstant(radians(t.phase));
+  return term;
+}
+
+Shake readShake(const Yaml& yaml) {
+  Shake shake;
+  if (yaml.isText() || yaml.isMap()) {
+    if (yaml.isMap()) yaml.onlyKeys({"preset", "scale"});
+    const double scale = yaml.has("scale") ? yaml["scale"].number(0, 100) : 1.0;
+    for (const PresetTerm& term : preset(yaml.isMap() ? yaml["preset"] : yaml))
+      shake.terms.push_back(termOf(term, scale));
+    return shake;
+  }
+  for (const Yaml& term : yaml.list()) {
+    term.onlyKeys({"frequency", "roll_deg", "pitch_deg", "yaw_deg", "x", "y", "z", "phase_deg"});
+    const auto get = [&term](const char* key) { return term.has(key) ? term[key].number() : 0.0; };
+    shake.terms.push_back(termOf({term["frequency"].positive(), get("roll_deg"), get("pitch_deg"),
+                                  get("yaw_deg"), get("x"), get("y"), get("z"), get("phase_deg")},
+                                 1.0));
+  }
+  return shake;
+}
+
+/// [x, y], [x, y, yaw_deg] or [x, y, z, yaw_deg].
+WayPoint readPlace(const Yaml& yaml) {
+  const auto n = yaml.numbers(2, 4);
+  WayPoint point{{n[0], n[1], n.size() == 4 ? n[2] : 0.0}, kNaN, 0.0};
+  if (n.size() > 2) point.yaw = radians(n.back());
+  return point;
+}
+
+WayPoint readWayPoint(const Yaml& yaml) {
+  if (yaml.isList()) return readPlace(yaml);
+  yaml.onlyKeys({"at", "yaw_deg", "pause"});
+  const auto at = yaml["at"].numbers(2, 3);
+  WayPoint point{{at[0], at[1], at.size() == 3 ? at[2] : 0.0}, kNaN, 0.0};
+  if (yaml.has("yaw_deg")) point.yaw = radians(yaml["yaw_deg"].number());
+  if (yaml.has("pause")) point.pause = yaml["pause"].number(0, 1e6);
+  return point;
+}
+
+Trajectory::Limits readLimits(const Yaml& motion) {
+  Trajectory::Limits limits;
+  if (motion.has("speed")) limits.speed = motion["speed"].positive();
+  if (motion.has("acceleration")) limits.acceleration = motion["acceleration"].positive();
+  if (motion.has("turn_rate_deg")) limits.turn_rate = radians(motion["turn_rate_deg"].positive());
+  if (motion.has("corner")) limits.corner = motion["corner"].number(0, 1e6);
+  if (motion.has("loop")) limits.loop = motion["loop"].flag();
+  return limits;
+}
+
+Ride readRide(const Yaml& yaml, const Ground& ground) {
+  const bool floats = yaml.has("floats") && yaml["floats"].flag();
+  const bool leans = yaml.has("leans") && yaml["leans"].flag();
+  if (floats && leans) yaml["leans"].fail("what floats leans anyway");
+  if (floats && ground.kind != Ground::Kind::kWater) yaml["floats"].fail("the ground is no water");
+  return floats ? Ride::kFloating : leans ? Ride::kLeaning : Ride::kUpright;
+}
+
+/// Samples of the way, against the edge of a rough ground.
+void checkStaysOn(const Ground& ground, const Trajectory& way, const Yaml& yaml) {
+  if (ground.kind != Ground::Kind::kRough) return;
+  for (double t = 0; t <= way.duration(); t += 0.1)
+    if (const auto p = way.pose(t).translation(); p.head<2>().cwiseAbs().maxCoeff() > ground.half_extent)
+      yaml.fail("leaves the ground, which ends " + shortNumber(ground.half_extent) + " m from the origin");
+}
+
+}  // namespace
+
+Transform readFrame(const Yaml& yaml) {
+  const auto n = yaml.numbers(3, 6);
+  if (n.size() != 3 && n.size() != 6) yaml.fail("must be [x, y, z] or [x, y, z, roll, pitch, yaw]");
+  Transform T = Transform::Identity();
+  T.translation() << n[0], n[1], n[2];
+  if (n.size() == 6)
+    T.linear() = (Eigen::AngleAxisd(radians(n[5]), Eigen::Vector3d::UnitZ()) *
+                  Eigen::AngleAxisd(radians(n[4]), Eigen::Vector3d::UnitY()) *
+                  Eigen::AngleAxisd(radians(n[3]), Eigen::Vector3d::UnitX()))
+                     .toRotationMatrix();
+  return T;
+}
+
+Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,
+                   const Eigen::Vector2d& offset) {
+  std::vector<WayPoint> points;
+  Trajectory::Limits limits;
+  Shake shake;
+  if (yaml.has("pose")) points.push_back(readPlace(yaml["pose"]));
+  if (yaml.has("motion")) {
+    const Yaml motion = yaml["motion"];
+    motion.onlyKeys({"points", "speed", "acceleration", "turn_rate_deg", "corner", "loop", "shake"});
+    if (motion.has("points") && yaml.has("pose")) motion["points"].fail("has the place in pose too");
+    if (motion.has("points"))
+      for (const Yaml& point : motion["points"].list()) points.push_back(readWayPoint(point));
+    limits = readLimits(motion);
+    if (motion.has("shake")) shake = readShake(motion["shake"]);
+  }
+  if (points.empty()) yaml.fail("needs pose, or motion with points");
+  for (WayPoint& point : points) point.position.head<2>() += offset;
+  const Yaml place = yaml.has("pose") ? yaml["pose"] : yaml["motion"]["points"];
+  Trajectory way;
+  place.check([&] { way = Trajectory(points, limits, shake); });
+  checkStaysOn(ground, way, place);
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  if (!model.links.empty()) size = model.box().sizes();
+  return carriedByGround(way, ground, readRide(yaml, ground), size.x(), size.y());
+}
+
+}  // namespace field_fusion::core::sim

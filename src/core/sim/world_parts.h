@@ -1,0 +1,30 @@
+#pragma once
+// The parts that loadWorld reads a file by.
+#include "field_fusion/core/sim/ride.h"
+#include "yaml_reader.h"
+
+namespace field_fusion::core::sim {
+
+/// A list of x, y, z and perhaps roll_deg, pitch_deg, yaw_deg.
+Transform readFrame(const Yaml& yaml);
+void readMaterial(const Yaml& yaml, Material& material);
+/// From the keys of kModelKeys.
+Model readModel(const Yaml& yaml);
+inline const std::vector<std::string> kModelKeys{"shape", "params", "mesh", "scale", "material", "parts"};
+
+/// From the keys of kWayKeys, `offset` [m] along x and y from where they say, put on the ground.
+Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,
+                   const Eigen::Vector2d& offset = {0, 0});
+inline const std::vector<std::string> kWayKeys{"pose", "motion", "floats", "leans"};
+
+/// `repeat` makes several.
+std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground);
+Robot readRobot(const Yaml& yaml, const Ground& ground, const std::string& sensors);
+
+/// Whether a point [m] in the body's frame lies inside one of its closed parts, at their joints' `time`.
+bool inside(const Model& model, const Eigen::Vector3d& point, double time);
+
+/// The same model elsewhere in its body's frame.
+Model moved(Model model, const Transform& T_body_model);
+
+}  // namespace field_fusion::core::sim
