@@ -41,7 +41,7 @@ class Harbour {
     for (int i = 0; i < 4; ++i) add("buoy", "buoy", 9.0 + 7 * i, 2.5 - 4 * (i % 3), 0, 0, true);
   }
   void ashore() {
-    add("quay", "", 45, 14, -90, 0, false, {{"length", 60}, {"width", 8}, {"height", 1.6}});
+    add("quay", "", 50, 14, 0, 0, false, {{"length", 60}, {"width", 8}, {"height", 1.6}});
     for (int i = 0; i < 5; ++i) add("person", "person", 34.0 + 2.6 * i, 11.5 + 0.7 * i, 80.0 * i, 1.6);
     for (int i = 0; i < 3; ++i) add("car", "car", 38.0 + 8 * i, 15.5, 5.0 * i, 1.6);
     for (int i = 0; i < 4; ++i) add("tree", "", 36.0 + 7 * i, 17.3, 0, 1.6);

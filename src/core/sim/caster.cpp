@@ -115,13 +115,13 @@ struct Caster::Scene {
     return std::isfinite(to_ground) ? groundHit(ray, to_ground) : Hit{};
   }
 
-  void castPacket(const Ray* rays, Hit* hits, std::size_t count) const {
+  void castPacket(const Ray* rays, Hit* hits, std::size_t count, bool with_ground) const {
     alignas(32) int valid[kPacket] = {};
     Span bounds[kPacket];
     RTCRayHit8 packet;
     for (std::size_t i = 0; i < kPacket; ++i) {
       if (i >= count || !castable(rays[i])) continue;
-      bounds[i] = ground.bounds(lineOf(rays[i]));
+      bounds[i] = with_ground ? ground.bounds(lineOf(rays[i])) : Span{kEndless, kEndless};
       put(embreeRay(rays[i], static_cast<float>(bounds[i].leave), numbered), packet, i);
       valid[i] = -1;
     }
@@ -162,9 +162,9 @@ Hit Caster::cast(const Ray& ray) const {
                         {query.ray.tfar, query.hit.instID[0], query.hit.geomID, query.hit.primID});
 }
 
-void Caster::cast(const Ray* rays, Hit* hits, std::size_t count) const {
+void Caster::cast(const Ray* rays, Hit* hits, std::size_t count, bool ground) const {
   for (std::size_t i = 0; i < count; i += kPacket)
-    scene_->castPacket(rays + i, hits + i, std::min(kPacket, count - i));
+    scene_->castPacket(rays + i, hits + i, std::min(kPacket, count - i), ground);
 }
 
 bool Caster::blocked(const Ray& ray, float distance) const {
@@ -177,7 +177,7 @@ bool Caster::blocked(const Ray& ray, float distance) const {
   return query.tfar < 0.f;
 }
 
-void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t count) const {
+void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool ground) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -189,7 +189,7 @@ void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t
       const Ray& ray = rays[from + i];
       results[from + i] = false;
       if (!castable(ray) || !(distance > 0.f)) continue;
-      results[from + i] = scene_->groundRange(ray) < static_cast<double>(distance);
+      results[from + i] = ground && scene_->groundRange(ray) < static_cast<double>(distance);
       put(embreeRay(ray, distance, scene_->numbered), packet, i);
       valid[i] = results[from + i] ? 0 : -1;
     }

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include <opencv2/core.hpp>
+
 #include "film.h"
 #include "random.h"
 #include "rows.h"
@@ -162,7 +164,9 @@ struct ColourCamera::State {
     const Transform middle = pose(stamp) * sensorToOptical();
     const Motion motion{(pose(stamp - half) * sensorToOptical()).inverse() * middle,
                         (pose(stamp + half) * sensorToOptical()).inverse() * middle};
-    if (motion.T_begin_middle.isApprox(motion.T_end_middle, 1e-7)) return light;
+    double nearest = 0.0;
+    cv::minMaxLoc(frame.ranges, &nearest);
+    if (motion.longest(lens, static_cast<float>(nearest)) < 0.8f * kSharp) return light;
     over([&](int v, int) { blurRow(lens, motion, light, frame.ranges, v, blurred); });
     return blurred;
   }

@@ -26,7 +26,8 @@ double normalQuantile(double p) {
 Eigen::Vector3f at(const cv::Mat& light, float u, float v) {
   const float x = std::clamp(u, 0.f, static_cast<float>(light.cols - 1));
   const float y = std::clamp(v, 0.f, static_cast<float>(light.rows - 1));
-  const int i = std::min(static_cast<int>(x), light.cols - 2), j = std::min(static_cast<int>(y), light.rows - 2);
+  const int i = std::min(static_cast<int>(x), light.cols - 2),
+            j = std::min(static_cast<int>(y), light.rows - 2);
   const float s = x - static_cast<float>(i), t = y - static_cast<float>(j);
   using Pixel = Eigen::Map<const Eigen::Vector3f>;
   const float *above = light.ptr<float>(j) + 3 * i, *below = light.ptr<float>(j + 1) + 3 * i;
@@ -51,15 +52,28 @@ Eigen::Vector2f Motion::shift(const Lens& lens, const Eigen::Vector3f& ray, floa
   return (seen(T_end_middle) - seen(T_begin_middle)).cast<float>();
 }
 
+float Motion::longest(const Lens& lens, float nearest) const {
+  constexpr int kSteps = 8;
+  float out = 0.f;
+  for (int j = 0; j <= kSteps; ++j)
+    for (int i = 0; i <= kSteps; ++i) {
+      const Eigen::Vector3f& ray =
+          lens.ray(i * (lens.width() - 1) / kSteps, j * (lens.height() - 1) / kSteps);
+      for (const float range : {nearest, std::numeric_limits<float>::infinity()})
+        out = std::max(out, shift(lens, ray, range).norm());
+    }
+  return out;
+}
+
 void blurRow(const Lens& lens, const Motion& motion, const cv::Mat& light, const cv::Mat& ranges, int v,
              cv::Mat& out) {
-  constexpr int kMost = 128;
+  constexpr int kMost = 128;  // samples
   const float* range = ranges.ptr<float>(v);
   for (int u = 0; u < light.cols; ++u) {
     const Eigen::Vector2f shift = motion.shift(lens, lens.ray(u, v), range[u]);
     const float length = shift.norm();
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    const int n = length > 0.25f ? std::min(kMost, 1 + static_cast<int>(length)) : 1;
+    const int n = length > kSharp ? std::min(kMost, 1 + static_cast<int>(length)) : 1;
     for (int i = 0; i < n; ++i) {
       const float along = (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
       sum += n == 1 ? at(light, u, v) : at(light, u + along * shift.x(), v + along * shift.y());

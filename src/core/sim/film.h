@@ -19,7 +19,11 @@ struct Motion {
 
   /// [px] that a point at `range` [m] along a ray moves; NaN if it is not in front at both ends.
   Eigen::Vector2f shift(const Lens& lens, const Eigen::Vector3f& ray, float range) const;
+  /// [px] the longest shift, sampled over the picture for what is endlessly far and for the `nearest` [m].
+  float longest(const Lens& lens, float nearest) const;
 };
+
+constexpr float kSharp = 0.25f;  ///< [px] a shift that is not seen
 
 /// Row `v` of the picture as it is smeared by the motion. `light` is CV_32FC3, `ranges` CV_32F.
 void blurRow(const Lens& lens, const Motion& motion, const cv::Mat& light, const cv::Mat& ranges, int v,

@@ -9,9 +9,9 @@ namespace field_fusion::core::sim {
 namespace {
 
 constexpr float kEndless = std::numeric_limits<float>::infinity();
-constexpr float kVisibility = 6000.f;     // [m] in which haze takes 1 - 1/e
-constexpr float kMirrorReach = 200.f;     // [m] farther off water mirrors the sky alone
-constexpr float kGlossPower = 80.f;       // of the highlight's lobe (Blinn 1977)
+constexpr float kVisibility = 6000.f;  // [m] in which haze takes 1 - 1/e
+constexpr float kMirrorReach = 200.f;  // [m] farther off water mirrors the sky alone
+constexpr float kGlossPower = 80.f;    // of the highlight's lobe (Blinn 1977)
 
 /// A little off the surface, so that a ray does not meet it again.
 Ray leaving(const Ray& ray, const Hit& hit, const Eigen::Vector3f& direction) {
@@ -27,7 +27,8 @@ Shader::Shader(const World& world, float pixel_angle, bool reflections)
       reflections_(reflections && water_),
       pixel_angle_(pixel_angle) {
   const float sun_height = std::max(0.f, sky_.toSun().z());
-  const Eigen::Vector3f light = sun_height * sky_.sun() + sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
+  const Eigen::Vector3f light =
+      sun_height * sky_.sun() + sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
   bounce_ = world.ground.kind == Ground::Kind::kNone ? Eigen::Vector3f(0.2f * light)
                                                      : world.ground.material.colour.cwiseProduct(light);
 }
@@ -67,9 +68,8 @@ Eigen::Vector3f Shader::surface(const Ray& ray, const Hit& hit, bool lit) const 
   return hazed(out, hit.range);
 }
 
-Eigen::Vector3f Shader::waterSurface(const Ray& ray, const Hit& hit, bool lit, double time,
+Eigen::Vector3f Shader::waterSurface(const Hit& hit, bool lit, const WaterLook& look,
                                      const Eigen::Vector3f& mirrored) const {
-  const WaterLook look = lookOf(ray, hit, time);
   Eigen::Vector3f light = sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
   light += std::max(0.f, sky_.toSun().z()) * sky_.sun();  // a shadow on deep water is hardly seen
   const Eigen::Vector3f below = hit.material->colour.cwiseProduct(light);
@@ -89,22 +89,25 @@ void Shader::castShadows(const Caster& caster, const Ray* rays, const Hit* hits,
     s.rays.push_back(leaving(rays[i], hits[i], sky_.toSun())), s.pixels.push_back(i);
   }
   if (s.blocked_size < count) s.blocked = std::make_unique<bool[]>(s.blocked_size = count);
-  caster.blocked(s.rays.data(), kEndless, s.blocked.get(), s.rays.size());
+  // the sun is above any ground without hills, those of a rough one are a mesh
+  const bool ground = sky_.toSun().z() <= 0.f;
+  caster.blocked(s.rays.data(), kEndless, s.blocked.get(), s.rays.size(), ground);
   for (std::size_t j = 0; j < s.pixels.size(); ++j) s.lit[s.pixels[j]] = !s.blocked[j];
 }
 
 void Shader::castMirrored(const Caster& caster, const Ray* rays, const Hit* hits, std::size_t count,
                           double time, Scratch& s) const {
-  s.mirrored.resize(count), s.rays.clear(), s.pixels.clear();
+  s.looks.resize(count), s.mirrored.resize(count), s.rays.clear(), s.pixels.clear();
   for (std::size_t i = 0; i < count; ++i) {
     if (!isWater(hits[i])) continue;
-    const Eigen::Vector3f towards = lookOf(rays[i], hits[i], time).mirrored;
+    s.looks[i] = lookOf(rays[i], hits[i], time);
+    const Eigen::Vector3f& towards = s.looks[i].mirrored;
     s.mirrored[i] = sky_.radiance(towards);
     if (!reflections_ || hits[i].range > kMirrorReach) continue;
     s.rays.push_back(leaving(rays[i], hits[i], towards)), s.pixels.push_back(i);
   }
   s.hits.resize(s.rays.size());
-  caster.cast(s.rays.data(), s.hits.data(), s.rays.size());
+  caster.cast(s.rays.data(), s.hits.data(), s.rays.size(), false);
   for (std::size_t j = 0; j < s.rays.size(); ++j) {
     const Hit& hit = s.hits[j];
     if (hit.body == Hit::kNothing || isWater(hit)) continue;
@@ -121,7 +124,7 @@ void Shader::shade(const Caster& caster, const Ray* rays, const Hit* hits, std::
     if (hit.body == Hit::kNothing)
       out[i] = rays[i].direction.z() < 0.f ? sky_.haze() : sky_.withSun(rays[i].direction);
     else if (isWater(hit))
-      out[i] = waterSurface(rays[i], hit, s.lit[i], time, s.mirrored[i]);
+      out[i] = waterSurface(hit, s.lit[i], s.looks[i], s.mirrored[i]);
     else
       out[i] = surface(rays[i], hit, s.lit[i]);
   }

@@ -16,7 +16,8 @@ class Shader {
     std::vector<Ray> rays;
     std::vector<Hit> hits;
     std::vector<std::size_t> pixels;
-    std::vector<Eigen::Vector3f> mirrored;
+    std::vector<WaterLook> looks;           // of pixels that show water
+    std::vector<Eigen::Vector3f> mirrored;  // light that comes from there
     std::vector<char> lit;
     std::unique_ptr<bool[]> blocked;
     std::size_t blocked_size = 0;
@@ -39,7 +40,7 @@ class Shader {
                     Scratch& scratch) const;
   WaterLook lookOf(const Ray& ray, const Hit& hit, double time) const;
   Eigen::Vector3f surface(const Ray& ray, const Hit& hit, bool lit) const;
-  Eigen::Vector3f waterSurface(const Ray& ray, const Hit& hit, bool lit, double time,
+  Eigen::Vector3f waterSurface(const Hit& hit, bool lit, const WaterLook& look,
                                const Eigen::Vector3f& mirrored) const;
   Eigen::Vector3f hazed(const Eigen::Vector3f& colour, float range) const;
   float footprint(const Ray& ray, const Hit& hit) const;

@@ -20,7 +20,7 @@ float smoothStep(float low, float high, float x) {
 }
 
 /// 0..1, fair-weather clouds on a plane far above.
-float clouds(const Eigen::Vector3f& d) {
+float cloudAt(const Eigen::Vector3f& d) {
   if (d.z() < 0.03f) return 0.f;
   const float spread = 1.6f / (d.z() + 0.12f);
   const float noise = smoothNoise({spread * d.x(), 1.4f * spread * d.y(), 7.5f}, 4, 0.f);
@@ -37,6 +37,23 @@ Sky::Sky(const Light& light)
   const Eigen::Vector3f zenith(0.16f, 0.34f, 0.74f), horizon(0.72f, 0.84f, 0.98f);
   const float scale = static_cast<float>(light.sky) / luminance(0.9f * zenith + 0.1f * horizon);
   zenith_ = scale * zenith, horizon_ = scale * horizon;
+  clouds_.reserve(kSide * kSide);
+  for (int j = 0; j < kSide; ++j)
+    for (int i = 0; i < kSide; ++i) {
+      const float x = 2.f * i / (kSide - 1) - 1.f, y = 2.f * j / (kSide - 1) - 1.f, r2 = x * x + y * y;
+      clouds_.push_back(cloudAt(Eigen::Vector3f(2 * x, 2 * y, 1 - r2) / (1 + r2)));
+    }
+}
+
+float Sky::clouds(const Eigen::Vector3f& d) const {
+  if (d.z() <= 0.f) return 0.f;
+  const float scale = 0.5f * (kSide - 1) / (1.f + d.z());
+  const float x = std::clamp(scale * (d.x() + 1.f + d.z()), 0.f, kSide - 1.001f);
+  const float y = std::clamp(scale * (d.y() + 1.f + d.z()), 0.f, kSide - 1.001f);
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const float s = x - static_cast<float>(i), t = y - static_cast<float>(j);
+  const float* c = &clouds_[static_cast<std::size_t>(j * kSide + i)];
+  return (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[kSide] + s * c[kSide + 1]);
 }
 
 Eigen::Vector3f Sky::radiance(const Eigen::Vector3f& d) const {

@@ -1,5 +1,7 @@
 #pragma once
 // Light of the sky. Unit of all light: the radiance of a white sheet that faces a sun of brightness 1.
+#include <vector>
+
 #include "field_fusion/core/sim/world.h"
 
 namespace field_fusion::core::sim {
@@ -20,7 +22,12 @@ class Sky {
   const Eigen::Vector3f& toSun() const { return to_sun_; }
 
  private:
+  static constexpr int kSide = 512;
+
+  float clouds(const Eigen::Vector3f& direction) const;
+
   Eigen::Vector3f to_sun_, sun_, ambient_, zenith_, horizon_;
+  std::vector<float> clouds_;  // kSide x kSide, upper half of the sky in stereographic projection
 };
 
 }  // namespace field_fusion::core::sim

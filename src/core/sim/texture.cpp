@@ -20,9 +20,11 @@ float lattice(const Eigen::Vector3f& place) {
   const Eigen::Array3i cell = below.max(-1e9f).min(1e9f).cast<int>();
   float corners[8];
   for (int i = 0; i < 8; ++i) {
-    const auto x = static_cast<std::uint32_t>(cell.x() + (i & 1)), y = static_cast<std::uint32_t>(cell.y() + (i >> 1 & 1)),
+    const auto x = static_cast<std::uint32_t>(cell.x() + (i & 1)),
+               y = static_cast<std::uint32_t>(cell.y() + (i >> 1 & 1)),
                z = static_cast<std::uint32_t>(cell.z() + (i >> 2));
-    corners[i] = static_cast<float>(hashed(x * 0x9e3779b1u + y * 0x85ebca77u + z * 0xc2b2ae3du) >> 8) * 0x1p-24f;
+    corners[i] =
+        static_cast<float>(hashed(x * 0x9e3779b1u + y * 0x85ebca77u + z * 0xc2b2ae3du) >> 8) * 0x1p-24f;
   }
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
   const float low = mix(mix(corners[0], corners[1], w.x()), mix(corners[2], corners[3], w.x()), w.y());
@@ -34,10 +36,14 @@ float lattice(const Eigen::Vector3f& place) {
 /// at whole multiples, do not lie on their borders.
 constexpr float kOffset = 0.3137f;
 
-float stripes(float along) { return std::floor(along + kOffset) - 2.f * std::floor(0.5f * (along + kOffset)); }
+float stripes(float along) {
+  return std::floor(along + kOffset) - 2.f * std::floor(0.5f * (along + kOffset));
+}
 
-float checker(const Eigen::Vector3f& p) { return stripes(p.x()) + stripes(p.y()) + stripes(p.z()) == 1.f ||
-                                                 stripes(p.x()) + stripes(p.y()) + stripes(p.z()) == 3.f; }
+float checker(const Eigen::Vector3f& p) {
+  return stripes(p.x()) + stripes(p.y()) + stripes(p.z()) == 1.f ||
+         stripes(p.x()) + stripes(p.y()) + stripes(p.z()) == 3.f;
+}
 
 /// Bricks of 1 x 1/3 with the other colour as mortar, on all upright faces.
 float bricks(const Eigen::Vector3f& p) {

@@ -50,9 +50,8 @@ WaterLook Ripples::look(const Eigen::Vector3f& place, const Eigen::Vector3f& nor
   constexpr float kEach = kVariance / kWaves;
   // float holds the phase near the origin of the world and of time; far off the ripples just differ
   const Waves seen = (1.5f - 3.f * footprint / length_).max(0.f).min(1.f);
-  const Waves slope =
-      std::sqrt(2.f * kEach) * seen *
-      (kx_ * place.x() + ky_ * place.y() - omega_ * static_cast<float>(time) + phase_).sin();
+  const Waves slope = std::sqrt(2.f * kEach) * seen *
+                      (kx_ * place.x() + ky_ * place.y() - omega_ * static_cast<float>(time) + phase_).sin();
   const Waves k = (kx_ * kx_ + ky_ * ky_).sqrt();
   const float variance = 0.0008f + kVariance - kEach * seen.square().sum();
   Eigen::Vector3f n = normal / std::max(0.2f, normal.z());

@@ -18,11 +18,12 @@ class Ripples {
   Ripples();
 
   /// `footprint` [m] is what a pixel covers: waves below it are no shapes any more but roughness.
-  WaterLook look(const Eigen::Vector3f& place, const Eigen::Vector3f& normal, const Eigen::Vector3f& direction,
-                 const Eigen::Vector3f& to_sun, double time, float footprint) const;
+  WaterLook look(const Eigen::Vector3f& place, const Eigen::Vector3f& normal,
+                 const Eigen::Vector3f& direction, const Eigen::Vector3f& to_sun, double time,
+                 float footprint) const;
 
  private:
-  static constexpr int kWaves = 16;
+  static constexpr int kWaves = 12;
   using Waves = Eigen::Array<float, kWaves, 1>;
   Waves kx_, ky_, omega_, phase_, length_;
 };

@@ -14,7 +14,7 @@ struct CameraParams {
   double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0, k3 = 0.0;
   int samples = 1;
   bool auto_exposure = true;
-  double brightness = 0.18, exposure_delay = 0.3;
+  double brightness = 0.2, exposure_delay = 0.3;
   double exposure_time = 1.0, max_exposure_time = 20.0, white_time = 2.0;
   double gain = 0.0, max_gain = 24.0;
   bool noise = true;
@@ -60,8 +60,9 @@ struct CameraParams {
     p.number("exposure_time", exposure_time, {1e-3, 1000.0}, "ms", When::kStart, "Without auto_exposure.");
     p.number("max_exposure_time", max_exposure_time, {1e-3, 1000.0}, "ms", When::kStart,
              "Longest of auto_exposure; more light than that comes from gain.");
-    p.number("white_time", white_time, {1e-3, 1000.0}, "ms", When::kStart,
-             "Exposure in which a white sheet that faces a sun of brightness 1 fills the pixels: the aperture.");
+    p.number(
+        "white_time", white_time, {1e-3, 1000.0}, "ms", When::kStart,
+        "Exposure in which a white sheet that faces a sun of brightness 1 fills the pixels: the aperture.");
     p.number("gain", gain, {0.0, 60.0}, "dB", When::kStart, "Without auto_exposure.");
     p.number("max_gain", max_gain, {0.0, 60.0}, "dB", When::kStart, "Highest of auto_exposure.");
     p.rule([this] { return max_exposure_time <= 1e3 / rate; },

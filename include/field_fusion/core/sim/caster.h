@@ -44,11 +44,12 @@ class Caster {
 
   Hit cast(const Ray& ray) const;
   /// Rays next to each other in the array should be next to each other in the world: eight go together.
-  void cast(const Ray* rays, Hit* hits, std::size_t count) const;
+  /// Plane and water are not there without `ground`.
+  void cast(const Ray* rays, Hit* hits, std::size_t count, bool ground = true) const;
   /// Whether something stands between the origin and `distance` [m] along the ray.
   bool blocked(const Ray& ray, float distance) const;
   /// The same for many rays, eight at a time.
-  void blocked(const Ray* rays, float distance, bool* results, std::size_t count) const;
+  void blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool ground = true) const;
   /// [m] to a body, or Hit::kRobot, as if it were alone in the world; infinite: missed.
   float rangeTo(int body, const Ray& ray) const;
 

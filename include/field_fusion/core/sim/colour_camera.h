@@ -8,12 +8,12 @@
 namespace field_fusion::core::sim {
 
 struct ColourFrame {
-  double stamp = 0.0;              ///< [s] middle of the exposure
-  double exposure_time = 0.0;      ///< [s]
-  double gain = 0.0;               ///< [dB]
-  cv::Mat image;                   ///< CV_8UC3, red first
-  cv::Mat bodies;                  ///< CV_32S, Hit::body of each pixel's middle, without blur
-  cv::Mat ranges;                  ///< CV_32F [m] along each pixel's ray; infinite: sky
+  double stamp = 0.0;          ///< [s] middle of the exposure
+  double exposure_time = 0.0;  ///< [s]
+  double gain = 0.0;           ///< [dB]
+  cv::Mat image;               ///< CV_8UC3, red first
+  cv::Mat bodies;              ///< CV_32S, Hit::body of each pixel's middle, without blur
+  cv::Mat ranges;              ///< CV_32F [m] along each pixel's ray; infinite: sky
   std::vector<BodyView> views;
 };
 

@@ -2,8 +2,8 @@
 // Pinhole with plumb_bob distortion. Optical frame: x right, y down, z forward.
 #include <vector>
 
-#include "field_fusion/core/sim/camera_params.h"
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/sim/camera_params.h"
 
 namespace field_fusion::core::sim {
 
