@@ -8,7 +8,8 @@ from demo import take_picture, virtual_display
 from ros_session import RosSession
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DISTANCE = {"usv_harbour": 32, "usv_cages": 15, "quad_corridor": 12, "office": 26}  # m to the robot; others: 10
+VIEWS = {"usv_harbour": (32, 0.5), "usv_cages": (13, 0.5), "quad_corridor": (12, 1.15), "office": (26, 0.9)}
+USUAL = (9, 0.8)  # m from the robot, rad above the horizon
 SETTLED = 12.0  # s until RViz has drawn all
 
 
@@ -17,7 +18,8 @@ def main():
     for world in worlds:
         with RosSession() as session:
             virtual_display(session)
-            session.launch("field_fusion", "sim.launch", f"world:={world}", f"distance:={DISTANCE.get(world, 10)}")
+            distance, pitch = VIEWS.get(world, USUAL)
+            session.launch("field_fusion", "sim.launch", f"world:={world}", f"distance:={distance}", f"pitch:={pitch}")
             rviz_runs = lambda: any("/rviz" in nodes for _, nodes in session.system_state()[1])
             session.require(rviz_runs, 120.0, "RViz did not come up")
             time.sleep(SETTLED)

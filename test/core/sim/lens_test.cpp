@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <yaml-cpp/yaml.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
 #include "camera_world.h"
+#include "field_fusion/core/sim/sensor_models.h"
 
 namespace field_fusion::core::sim {
 namespace {
@@ -88,21 +88,11 @@ TEST(Lens, BehindIsNoPixel) {
 
 TEST(Lens, EveryCameraInConfigIsDeclaredAndSeesWhatItsFileSays) {
   for (const auto& [name, wanted_deg] :
-       std::map<std::string, double>{{"camera_640", 51.0}, {"camera_1080p", 59.0}, {"wide_105", 105.0}}) {
+       std::map<std::string, double>{
+           {"camera_640", 51.0}, {"camera_1080p", 59.0}, {"wide_105", 105.0}, {"xfk_4k415", 105.0}}) {
     CameraParams params;
     Params declared = declarationOf(params);
-    for (const auto& entry : YAML::LoadFile(PROJECT_DIR "/config/sensors/" + name + ".yaml")) {
-      const Param* param = declared.find(entry.first.as<std::string>());
-      ASSERT_NE(param, nullptr) << name << ": " << entry.first;
-      const std::string type = param->type();
-      if (type == "int")
-        param->set(entry.second.as<int>());
-      else if (type == "double")
-        param->set(entry.second.as<double>());
-      else
-        param->set(entry.second.as<std::string>());
-    }
-    EXPECT_EQ(declared.faults(), std::vector<std::string>{}) << name;
+    readSensorFile(PROJECT_DIR "/config/sensors/" + name + ".yaml", {}, declared);
     const Lens lens(params);
     const int middle = params.height / 2;
     const double across = std::acos(lens.ray(0, middle).dot(lens.ray(params.width - 1, middle)));
