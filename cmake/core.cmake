@@ -9,7 +9,6 @@ find_package(Threads REQUIRED)
 
 file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS src/core/*.cpp)
 file(GLOB_RECURSE sim_sources CONFIGURE_DEPENDS src/core/sim/*.cpp)
-list(FILTER sim_sources EXCLUDE REGEX "/scene[^/]*\\.cpp$")
 list(REMOVE_ITEM core_sources ${sim_sources})
 add_library(field_fusion_core ${core_sources})
 target_include_directories(field_fusion_core PUBLIC include)

@@ -1,7 +1,7 @@
 # Messages, the ROS layer, the nodelets and the tools.
 find_package(catkin REQUIRED COMPONENTS
   cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
-  message_filters message_generation nodelet pluginlib rosbag roscpp sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
+  message_filters message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs roslib sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
   visualization_msgs)
 
 file(GLOB messages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/msg msg/*.msg)
@@ -14,15 +14,25 @@ catkin_package(
   DEPENDS EIGEN3)
 
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+file(GLOB sim_ros_sources CONFIGURE_DEPENDS src/ros/sim_*.cpp)
+list(REMOVE_ITEM ros_sources ${sim_ros_sources})
 add_library(field_fusion_ros ${ros_sources})
 add_dependencies(field_fusion_ros ${PROJECT_NAME}_generate_messages_cpp ${catkin_EXPORTED_TARGETS})
 target_include_directories(field_fusion_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(field_fusion_ros PUBLIC field_fusion_core ${catkin_LIBRARIES})
 include(cmake/vision.cmake)
 
+# the simulator, apart from the stages as in core
+add_library(field_fusion_sim_ros ${sim_ros_sources})
+target_link_libraries(field_fusion_sim_ros PUBLIC field_fusion_ros field_fusion_sim)
+
 file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
+file(GLOB sim_nodelet_sources CONFIGURE_DEPENDS src/nodelets/sim_*.cpp)
+list(REMOVE_ITEM nodelet_sources ${sim_nodelet_sources})
 add_library(field_fusion_nodelets ${nodelet_sources})
 target_link_libraries(field_fusion_nodelets field_fusion_ros)
+add_library(field_fusion_sim_nodelets ${sim_nodelet_sources})
+target_link_libraries(field_fusion_sim_nodelets field_fusion_sim_ros)
 
 # the benchmarks were made before catkin named the place where rosrun looks
 set_target_properties(${core_programs} PROPERTIES
@@ -36,6 +46,7 @@ foreach(source ${tool_sources})
   list(APPEND tools ${name})
 endforeach()
 find_package(PCL REQUIRED COMPONENTS registration)
+target_link_libraries(make_bag field_fusion_sim_ros)
 target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 

@@ -13,6 +13,9 @@ import kitti_data
 from ros_session import RosSession
 
 SIZE = "1600x900"
+WORLD = "usv_harbour"
+OF_WORLD = ["points:=lidar/points", "image:=camera/image_raw", "camera_info:=camera/camera_info",
+            "detections:=truth/camera/detections"]
 
 
 def options():
@@ -29,7 +32,7 @@ def options():
 
 
 def recording(folder, scene):
-    """(bag, model) to play; the model is empty where detections are in the bag."""
+    """(bag, model) to play; the model is empty where the bag is of a simulated world."""
     data = kitti_data.folder() or pathlib.Path("/nonexistent")
     drive, model = data / kitti_data.SEQUENCE, data / kitti_data.MODEL
     bag = folder / "demo.bag"
@@ -38,8 +41,9 @@ def recording(folder, scene):
         subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", drive, bag, "--repeat", "60"],
                        check=True, stdout=subprocess.DEVNULL)
         return bag, model
-    print("made-up scene; its DETECTIONS COME FROM THE GENERATOR, not from a detector (set FIELD_FUSION_DATA for a real drive)")
-    subprocess.run(["rosrun", "field_fusion", "make_scene", bag, "--seconds", "60"], check=True, stdout=subprocess.DEVNULL)
+    print(f"simulated world {WORLD}; its DETECTIONS ARE THE TRUTH of the simulator, not a detector's (set FIELD_FUSION_DATA "
+          "for a real drive)", flush=True)
+    subprocess.run(["rosrun", "field_fusion", "make_bag", WORLD, bag, "--seconds", "40"], check=True, stdout=subprocess.DEVNULL)
     return bag, ""
 
 
@@ -72,7 +76,10 @@ def main():
         bag, model = recording(pathlib.Path(scratch), given.scene)
         if not given.display:
             virtual_display(session)
-        launch = session.launch("field_fusion", "usv.launch", f"bag:={bag}", f"model:={model}", "bag_args:=--loop")
+        launch = session.launch("field_fusion", "usv.launch", f"bag:={bag}", f"model:={model}", "bag_args:=--loop",
+                                *([] if model else OF_WORLD))
+        if not model:
+            session.adopt(subprocess.Popen([sys.executable, pathlib.Path(__file__).with_name("truth_image.py")]))
         limit = ["--limit", str(given.seconds)] if given.seconds else []
         report = pathlib.Path(__file__).with_name("drive_report.py" if model else "scene_report.py")
         reporter = session.adopt(subprocess.Popen([sys.executable, report, *limit]))

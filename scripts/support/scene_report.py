@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Listens to /obstacles and /truth/obstacles of a made-up scene and prints what was found of each body.
+"""Listens to /obstacles and to the truth of a simulated world and prints what was found of each body.
 
-Ranges are those of the near side (of the axis-aligned box, over ground): a LiDAR does not see the rest of a
-body. Azimuths are those of the middle of what is seen.
+Of a body counts what the LiDAR truly hit within the sector that the stages look at: ranges are those of the near
+side (of its axis-aligned box, over ground), azimuths those of its middle.
 """
 import argparse
 import collections
@@ -11,10 +11,17 @@ import statistics
 import sys
 import threading
 import time
+from types import SimpleNamespace
 
 import figures
+import numpy
 
-LIDAR, BOTH = 1, 3  # Obstacle.SOURCE_*
+LIDAR, CAMERA, BOTH = 1, 2, 3  # Obstacle.SOURCE_*
+SECTOR, REACH = math.radians(60.0), 80.0  # rad, m: filter in config/robots/usv.yaml
+MIN_RETURNS = 10  # that the LiDAR needs to have got from a body: cluster's min_points
+MIN_VISIBLE = 0.5  # share of a body that the camera needs to see
+SAME_BEARING = math.radians(3.0)  # between a body and its box in the picture
+ROW = numpy.dtype([("x", "f4"), ("y", "f4"), ("z", "f4"), ("body", "i4"), ("range", "f4")])  # truth/<lidar>/points
 MAX_GAP = 1.0  # m between a body and what is taken for it
 
 
@@ -46,6 +53,30 @@ def pairs(bodies, obstacles):
             found[i] = offered[j]
             taken.add(j)
     return [(body, found.get(i)) for i, body in enumerate(wanted)]
+
+
+def seen_bodies(rows, labels, detections):
+    """Of each labelled body that the LiDAR hit: where its hits are, and which sensors see it."""
+    places = numpy.stack([rows[axis] for axis in "xyz"], axis=1).astype(float)
+    places *= (rows["range"] / numpy.linalg.norm(places, axis=1))[:, None]
+    flat = numpy.hypot(places[:, 0], places[:, 1])
+    inside = (numpy.abs(numpy.arctan2(places[:, 1], places[:, 0])) <= SECTOR) & (flat <= REACH)
+    bodies = []
+    for number, label in labels.items():
+        hits = places[inside & (rows["body"] == number)]
+        if not label or len(hits) == 0:
+            continue
+        low, high = hits.min(axis=0), hits.max(axis=0)
+        middle = (low + high) / 2
+        azimuth = math.atan2(middle[1], middle[0])
+        pictured = any(d.label == label and d.score >= MIN_VISIBLE
+                       and abs(math.remainder(d.azimuth - azimuth, math.tau)) < SAME_BEARING for d in detections)
+        bodies.append(SimpleNamespace(
+            id=number, label=label, azimuth=azimuth,
+            source=(LIDAR if len(hits) >= MIN_RETURNS else 0) | (CAMERA if pictured else 0),
+            position=SimpleNamespace(x=middle[0], y=middle[1]),
+            size=SimpleNamespace(x=high[0] - low[0], y=high[1] - low[1])))
+    return bodies
 
 
 class Tally:
@@ -96,20 +127,34 @@ def report(frames):
 
 
 class Listener:
-    """Keeps both arrays of each stamp; of two revisions of the obstacles the later."""
+    """Keeps the truth and the obstacles of each stamp; of two revisions of the obstacles the later."""
 
     def __init__(self):
         import rospy
-        from field_fusion.msg import ObstacleArray
+        from field_fusion.msg import ImageDetectionArray, ObstacleArray, TruthBodies
+        from sensor_msgs.msg import PointCloud2
 
         self.lock, self.truth, self.obstacles, self.last = threading.Lock(), {}, {}, None
-        self.subscribers = [rospy.Subscriber("/truth/obstacles", ObstacleArray, self._on_truth, queue_size=100),
-                            rospy.Subscriber("/obstacles", ObstacleArray, self._on_obstacles, queue_size=100)]
+        self.labels, self.detections = {}, []
+        self.subscribers = [rospy.Subscriber(topic, kind, handler, queue_size=100) for topic, kind, handler in (
+            ("/truth/bodies", TruthBodies, self._on_bodies),
+            ("/truth/camera/detections", ImageDetectionArray, self._on_detections),
+            ("/truth/lidar/points", PointCloud2, self._on_truth),
+            ("/obstacles", ObstacleArray, self._on_obstacles))]
+
+    def _on_bodies(self, message):
+        with self.lock:
+            self.labels = {body.id: body.label for body in message.bodies}
+
+    def _on_detections(self, message):
+        with self.lock:
+            self.detections = message.detections
 
     def _on_truth(self, message):
         with self.lock:
-            if message.header.stamp not in self.truth:  # a looping bag brings nothing new
-                self.truth[message.header.stamp], self.last = message, time.monotonic()
+            if message.header.stamp not in self.truth and self.labels:  # a looping bag brings nothing new
+                bodies = seen_bodies(numpy.frombuffer(message.data, ROW), self.labels, self.detections)
+                self.truth[message.header.stamp], self.last = bodies, time.monotonic()
 
     def _on_obstacles(self, message):
         with self.lock:
@@ -123,7 +168,7 @@ class Listener:
 
     def frames(self):
         with self.lock:
-            return [(self.truth[stamp].obstacles, self.obstacles[stamp].obstacles)
+            return [(self.truth[stamp], self.obstacles[stamp].obstacles)
                     for stamp in sorted(self.truth) if stamp in self.obstacles]
 
 
@@ -141,7 +186,7 @@ def main():
         time.sleep(0.1)
     frames = listener.frames()
     if not frames:
-        print("scene_report: no frame with both /truth/obstacles and /obstacles came", file=sys.stderr)
+        print("scene_report: no frame with both /truth/lidar/points and /obstacles came", file=sys.stderr)
         return 1
     print("\n".join(report(frames)))
     return 0

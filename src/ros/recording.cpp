@@ -22,12 +22,7 @@ Recording::~Recording() {
 void Recording::writeStatic(const std::vector<geometry_msgs::TransformStamped>& transforms) {
   tf2_msgs::TFMessage message;
   message.transforms = transforms;
-  const auto header = boost::make_shared<ros::M_string>();
-  (*header)["type"] = ros::message_traits::datatype(message);
-  (*header)["md5sum"] = ros::message_traits::md5sum(message);
-  (*header)["message_definition"] = ros::message_traits::definition(message);
-  (*header)["latching"] = "1";
-  bag_.write("/tf_static", transforms.at(0).header.stamp, message, header);
+  write("/tf_static", transforms.at(0).header.stamp, message, true);
 }
 
 void Recording::finish() {

@@ -3,6 +3,7 @@
 #include "field_fusion/core/match/match.h"
 #include "field_fusion/ros/costmap_feed.h"
 #include "field_fusion/ros/markers.h"
+#include "field_fusion/ros/sim_params.h"
 #include "field_fusion/ros/stage_params.h"
 
 namespace field_fusion {
@@ -27,7 +28,7 @@ const std::vector<StageDeclaration>& stageDeclarations() {
       declaration<FilterStageParams>("filter"),    declaration<GroundStageParams>("ground"),
       declaration<core::ClusterParams>("cluster"), declaration<core::DetectParams>("detect"),
       declaration<core::MatchParams>("match"),     declaration<MarkersParams>("markers"),
-      declaration<CostmapParams>("costmap"),
+      declaration<CostmapParams>("costmap"),       declaration<SimNodeParams>("sim"),
   };
   return all;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "field_fusion/core/base/types.h"
-#include "field_fusion/core/sim/scene.h"
+#include "support/scene.h"
 
 namespace field_fusion::test {
 
@@ -32,21 +32,21 @@ class StreetBuilder {
     addBox({88.0, -15.0}, {95.0, 15.0}, 15.0);  // houses close both ends
     addBox({-95.0, -15.0}, {-88.0, 15.0}, 15.0);
   }
-  const core::Scene& scene() const { return scene_; }
+  const Scene& scene() const { return scene_; }
 
  private:
   double draw(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   void addBox(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double tall) {
-    core::Body body;
+    Body body;
     body.size << high - low, tall;
     body.middle = 0.5 * (low + high);
     scene_.push_back(body);
   }
 
   void addCylinder(const Eigen::Vector2d& middle, double radius, double tall) {
-    core::Body body;
-    body.shape = core::Body::Shape::kCylinder;
+    Body body;
+    body.shape = Body::Shape::kCylinder;
     body.size << 2.0 * radius, 2.0 * radius, tall;
     body.middle = middle;
     scene_.push_back(body);
@@ -66,7 +66,7 @@ class StreetBuilder {
   }
 
   std::mt19937 random_;
-  core::Scene scene_;
+  Scene scene_;
 };
 
 struct StreetClouds {
@@ -85,13 +85,13 @@ inline StreetClouds scanStreet(const StreetScan& scan = {}) {
       const double turn = (column + 0.5) / scan.columns;
       const double elevation = scan.elevation * (2.0 * ring / (scan.rings - 1) - 1.0);
       const Eigen::Vector3d ray = core::cartesian({1.0, core::radians(360.0) * turn, elevation});
-      const core::Hit hit = core::cast(street.scene(), 0.0, sensor, ray);
+      const Hit hit = cast(street.scene(), sensor, ray);
       if (!(hit.range < scan.max_range)) continue;
       const Eigen::Vector3f p = ((hit.range + noise(random)) * ray).cast<float>();
       core::Point point{
           p.x(), p.y(), p.z(), 1.f, static_cast<float>(0.1 * turn), static_cast<std::uint16_t>(ring)};
       out.all.push_back(point);
-      if (hit.body != core::Hit::kGround) out.off_ground.push_back(point);
+      if (hit.body != Hit::kGround) out.off_ground.push_back(point);
     }
   return out;
 }

@@ -1,8 +1,9 @@
-"""What was found of the made-up scene against its truth."""
+"""What was found of a simulated world against its truth."""
 import math
 from types import SimpleNamespace
 
 import figures
+import numpy
 import pytest
 import scene_report
 
@@ -36,6 +37,27 @@ def test_what_is_too_far_off_is_not_found():
 def test_only_what_the_lidar_sees_counts():
     assert scene_report.pairs([body(10, 0, source=2)], [body(10, 0)]) == []
     assert scene_report.pairs([body(10, 0)], [body(10, 0, source=2)])[0][1] is None
+
+
+def rows(*hits):
+    """(x, y, body): what the LiDAR hit, with errors of range that the truth does not have."""
+    out = numpy.zeros(len(hits), scene_report.ROW)
+    for row, (x, y, number) in zip(out, hits):
+        row["x"], row["y"], row["body"], row["range"] = 1.02 * x, 1.02 * y, number, math.hypot(x, y)
+    return out
+
+
+def test_a_body_is_what_the_lidar_truly_hit_of_it():
+    hits = [(10, 0.1 * i, 3) for i in range(11)] + [(20, 0, 4)] * 9 + [(5, 0, -2)] * 20
+    seen = SimpleNamespace(label="buoy", score=1.0, azimuth=math.atan2(0.5, 10))
+    cage, boat = scene_report.seen_bodies(rows(*hits), {3: "buoy", 4: "boat", 5: ""}, [seen])
+    assert (cage.id, cage.label, cage.source, boat.source) == (3, "buoy", 3, 0)
+    assert (cage.position.x, cage.position.y, cage.size.x, cage.size.y) == pytest.approx((10, 0.5, 0, 1), abs=1e-5)
+
+
+def test_only_the_sector_of_the_stages_counts():
+    behind, far = [(-10, 0, 1)] * 20, [(90, 0, 2)] * 20
+    assert scene_report.seen_bodies(rows(*behind, *far), {1: "boat", 2: "boat"}, []) == []
 
 
 def test_report_counts_and_averages():

@@ -1,26 +1,17 @@
-"""kitti_to_bag and make_scene: what stands in the bags, and what is said when there is none."""
-import math
-import os
-import pathlib
+"""kitti_to_bag: what stands in its bags, and what is said when there is none."""
 import struct
-import subprocess
 
 import cv2
 import numpy
 import pytest
 import rosbag
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-SETUP = os.environ.get("FIELD_FUSION_SETUP", str(ROOT / "catkin_ws/devel/setup.bash"))
+from conftest import rosrun
+
 CALIBRATION = """P2: 100 0 32 6 0 100 24 0 0 0 1 0
 R0_rect: 1 0 0 0 1 0 0 0 1
 Tr_velo_to_cam: 0 -1 0 0 0 0 -1 -0.1 1 0 0 -0.2
 """
-
-
-def rosrun(*arguments):
-    command = ["bash", "-c", '. "$0" && exec rosrun field_fusion "$@"', SETUP, *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 
 def read(bag_file):
@@ -141,37 +132,3 @@ def test_kitti_fault_is_named_and_leaves_no_bag(drive, what):
     assert done.returncode != 0
     assert what in done.stderr
     assert list(bag.parent.iterdir()) == []
-
-
-def test_scene_has_every_topic_in_every_frame(tmp_path):
-    done = rosrun("make_scene", tmp_path / "a.bag", "--seconds", "0.5")
-    assert done.returncode == 0, done.stderr
-    messages, latched = read(tmp_path / "a.bag")
-    assert latched["/tf_static"] and len(messages.pop("/tf_static")) == 1
-    assert {topic: len(list_) for topic, list_ in messages.items()} == {
-        "/points": 5, "/image_raw": 5, "/camera_info": 5, "/detections": 5, "/annotated_image": 5,
-        "/truth/obstacles": 5}
-    assert len({tuple(m.header.stamp for m in list_) for list_ in messages.values()}) == 1
-
-
-def test_scene_detections_belong_to_bodies_that_the_camera_sees(tmp_path):
-    rosrun("make_scene", tmp_path / "a.bag", "--seconds", "2")
-    messages, _ = read(tmp_path / "a.bag")
-    found = 0
-    for detections, truth in zip(messages["/detections"], messages["/truth/obstacles"]):
-        for detection in detections.detections:
-            fits = [body for body in truth.obstacles
-                    if body.label == detection.label and body.source & body.SOURCE_CAMERA
-                    and abs(body.azimuth - detection.azimuth) < math.radians(1.5)
-                    and 0.75 < detection.range / body.range < 1.05]  # it is taken to the near side
-            assert len(fits) == 1, (detection.label, detection.range, math.degrees(detection.azimuth))
-            found += 1
-    assert found > 0.9 * sum(bool(body.label) and body.source & body.SOURCE_CAMERA > 0
-                             for truth in messages["/truth/obstacles"] for body in truth.obstacles)
-
-
-def test_scene_of_one_seed_is_one_scene(tmp_path):
-    for name, seed in (("a", 4), ("b", 4), ("c", 5)):
-        rosrun("make_scene", tmp_path / name, "--seconds", "0.2", "--seed", seed)
-    a, b, c = ((tmp_path / name).read_bytes() for name in "abc")
-    assert a == b != c

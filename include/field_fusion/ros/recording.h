@@ -3,6 +3,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <boost/make_shared.hpp>
 
 #include <string>
 #include <vector>
@@ -29,7 +30,19 @@ class Recording {
     bag_.write(topic, message.header.stamp, message);
   }
 
-  /// On `/tf_static`, latched as its publishers do, so that whoever joins the playback late gets it too.
+  /// Recorded as received at `time`; `latched`: whoever joins the playback late gets it too.
+  template <class Message>
+  void write(const std::string& topic, const ros::Time& time, const Message& message, bool latched) {
+    if (!latched) return bag_.write(topic, time, message);
+    const auto header = boost::make_shared<ros::M_string>();
+    (*header)["type"] = ros::message_traits::datatype(message);
+    (*header)["md5sum"] = ros::message_traits::md5sum(message);
+    (*header)["message_definition"] = ros::message_traits::definition(message);
+    (*header)["latching"] = "1";
+    bag_.write(topic, time, message, header);
+  }
+
+  /// On `/tf_static`, latched as its publishers do.
   void writeStatic(const std::vector<geometry_msgs::TransformStamped>& transforms);
 
   void finish();

@@ -106,19 +106,23 @@ struct Caster::Scene {
             line.at(c.t).cast<float>(), instanced ? &part.material : &world.ground.material};
   }
 
-  Hit finish(const Ray& ray, double to_ground, const Found& found) const {
-    if (found.geometry != RTC_INVALID_GEOMETRY_ID) return partHit(ray, found);
+  /// The water is looked for only where Embree's find does not lie before all of it.
+  Hit finish(const Ray& ray, const Span& ground_bounds, const Found& found) const {
+    const bool met = found.geometry != RTC_INVALID_GEOMETRY_ID;
+    if (met && static_cast<double>(found.range) <= ground_bounds.enter) return partHit(ray, found);
+    const double to_ground = std::isfinite(ground_bounds.enter) ? groundRange(ray) : kEndless;
+    if (met && static_cast<double>(found.range) <= to_ground) return partHit(ray, found);
     return std::isfinite(to_ground) ? groundHit(ray, to_ground) : Hit{};
   }
 
-  void castPacket(const Ray* rays, Hit* hits, std::size_t count) const {
+  void castPacket(const Ray* rays, Hit* hits, std::size_t count, bool with_ground) const {
     alignas(32) int valid[kPacket] = {};
-    double to_ground[kPacket];
+    Span bounds[kPacket];
     RTCRayHit8 packet;
     for (std::size_t i = 0; i < kPacket; ++i) {
       if (i >= count || !castable(rays[i])) continue;
-      to_ground[i] = groundRange(rays[i]);
-      put(embreeRay(rays[i], static_cast<float>(to_ground[i]), numbered), packet, i);
+      bounds[i] = with_ground ? ground.bounds(lineOf(rays[i])) : Span{kEndless, kEndless};
+      put(embreeRay(rays[i], static_cast<float>(bounds[i].leave), numbered), packet, i);
       valid[i] = -1;
     }
     RTCIntersectContext context;
@@ -126,7 +130,7 @@ struct Caster::Scene {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid, top.get(), &context, &packet);
     for (std::size_t i = 0; i < count; ++i)
-      hits[i] = valid[i] ? finish(rays[i], to_ground[i],
+      hits[i] = valid[i] ? finish(rays[i], bounds[i],
                                   {packet.ray.tfar[i], packet.hit.instID[0][i], packet.hit.geomID[i],
                                    packet.hit.primID[i]})
                          : Hit{};
@@ -148,19 +152,19 @@ void Caster::setWindow(double begin, double end) {
 
 Hit Caster::cast(const Ray& ray) const {
   if (!castable(ray)) return {};
-  const double to_ground = scene_->groundRange(ray);
-  RTCRayHit query{embreeRay(ray, static_cast<float>(to_ground), scene_->numbered), {}};
+  const Span bounds = scene_->ground.bounds(lineOf(ray));
+  RTCRayHit query{embreeRay(ray, static_cast<float>(bounds.leave), scene_->numbered), {}};
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_->top.get(), &context, &query);
-  return scene_->finish(ray, to_ground,
+  return scene_->finish(ray, bounds,
                         {query.ray.tfar, query.hit.instID[0], query.hit.geomID, query.hit.primID});
 }
 
-void Caster::cast(const Ray* rays, Hit* hits, std::size_t count) const {
+void Caster::cast(const Ray* rays, Hit* hits, std::size_t count, bool ground) const {
   for (std::size_t i = 0; i < count; i += kPacket)
-    scene_->castPacket(rays + i, hits + i, std::min(kPacket, count - i));
+    scene_->castPacket(rays + i, hits + i, std::min(kPacket, count - i), ground);
 }
 
 bool Caster::blocked(const Ray& ray, float distance) const {
@@ -171,6 +175,49 @@ bool Caster::blocked(const Ray& ray, float distance) const {
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene_->top.get(), &context, &query);
   return query.tfar < 0.f;
+}
+
+void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool ground) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  for (std::size_t from = 0; from < count; from += kPacket) {
+    const std::size_t here = std::min(kPacket, count - from);
+    alignas(32) int valid[kPacket] = {};
+    RTCRayHit8 packet;
+    for (std::size_t i = 0; i < here; ++i) {
+      const Ray& ray = rays[from + i];
+      results[from + i] = false;
+      if (!castable(ray) || !(distance > 0.f)) continue;
+      results[from + i] = ground && scene_->groundRange(ray) < static_cast<double>(distance);
+      put(embreeRay(ray, distance, scene_->numbered), packet, i);
+      valid[i] = results[from + i] ? 0 : -1;
+    }
+    rtcOccluded8(valid, scene_->top.get(), &context, &packet.ray);
+    for (std::size_t i = 0; i < here; ++i)
+      if (valid[i]) results[from + i] = packet.ray.tfar[i] < 0.f;
+  }
+}
+
+float Caster::rangeTo(int body, const Ray& ray) const {
+  if (!castable(ray)) return kEndless;
+  const auto [first, last] = scene_->instances.of(body);
+  float nearest = kEndless;
+  for (unsigned i = first; i < last; ++i) {
+    const Instance& instance = scene_->instances[i];
+    const Affine T = instance.worldToLink(ray.time);
+    RTCRayHit query{embreeRay(ray, nearest, scene_->numbered), {}};
+    const Eigen::Vector3f origin = (T * ray.origin.cast<double>()).cast<float>();
+    const Eigen::Vector3f direction = (T.linear() * ray.direction.cast<double>()).cast<float>();
+    query.ray.org_x = origin.x(), query.ray.org_y = origin.y(), query.ray.org_z = origin.z();
+    query.ray.dir_x = direction.x(), query.ray.dir_y = direction.y(), query.ray.dir_z = direction.z();
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(instance.scene, &context, &query);
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) nearest = query.ray.tfar;
+  }
+  return nearest;
 }
 
 }  // namespace field_fusion::core::sim

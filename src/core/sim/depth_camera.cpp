@@ -28,8 +28,9 @@ DepthCamera::DepthCamera(const DepthCameraParams& params, std::uint64_t seed)
   image_.metres.resize(pixels), image_.millimetres.resize(pixels);
   truth_.metres.resize(pixels), truth_.bodies.resize(pixels);
   match_.resize(pixels);
-  grains_.resize(static_cast<std::size_t>(params.width / params.noise_grain + 2) *
-                 (params.height / params.noise_grain + 2));
+  const std::size_t grains = static_cast<std::size_t>(params.width / params.noise_grain + 2) *
+                             (params.height / params.noise_grain + 2);
+  disparity_grains_.resize(grains), match_grains_.resize(grains);
 }
 
 const DepthImage& DepthCamera::frame(Caster& caster, const PoseAt& T_world_sensor, double stamp) {
@@ -116,29 +117,34 @@ bool DepthCamera::atStep(int row, int column) const {
 }
 
 void DepthCamera::drawGrains(std::uint64_t seed) {
-  for (std::size_t i = 0; i < grains_.size(); ++i) grains_[i] = BeamRandom(seed + kGrainNoise, i).normal();
+  for (std::size_t i = 0; i < match_grains_.size(); ++i) {
+    BeamRandom random(seed + kGrainNoise, i);
+    disparity_grains_[i] = random.normal(), match_grains_[i] = random.normal();
+  }
 }
 
 /// Sigma 1 everywhere: the grains themselves, and between them their weighted mean.
-float DepthCamera::grainNoise(int row, int column) const {
+float DepthCamera::grainNoise(const std::vector<float>& grains, int row, int column) const {
   const int grain = params_.noise_grain, stride = params_.width / grain + 2;
   const float down = static_cast<float>(row % grain) / static_cast<float>(grain);
   const float right = static_cast<float>(column % grain) / static_cast<float>(grain);
-  const float* corner = &grains_[static_cast<std::size_t>(row / grain * stride + column / grain)];
-  const Eigen::Vector4f grains(corner[0], corner[1], corner[stride], corner[stride + 1]);
+  const float* corner = &grains[static_cast<std::size_t>(row / grain * stride + column / grain)];
+  const Eigen::Vector4f values(corner[0], corner[1], corner[stride], corner[stride + 1]);
   const Eigen::Vector4f weights((1.f - down) * (1.f - right), (1.f - down) * right, down * (1.f - right),
                                 down * right);
-  return weights.dot(grains) / weights.norm();
+  return weights.dot(values) / weights.norm();
 }
 
 float DepthCamera::measured(float depth, int row, int column, std::uint64_t seed) const {
   const std::size_t pixel = static_cast<std::size_t>(row) * params_.width + column;
-  BeamRandom random(seed, pixel);
-  if (match_[pixel] * (1.f + static_cast<float>(params_.match_noise) * random.normal()) < 1.f) return kNaN;
-  if (params_.edge_loss > 0.0 && atStep(row, column) && random.uniform() < params_.edge_loss) return kNaN;
+  const float luck = params_.match_noise > 0.0 ? grainNoise(match_grains_, row, column) : 0.f;
+  if (match_[pixel] * (1.f + static_cast<float>(params_.match_noise) * luck) < 1.f) return kNaN;
+  if (params_.edge_loss > 0.0 && atStep(row, column) && BeamRandom(seed, pixel).uniform() < params_.edge_loss)
+    return kNaN;
   const double unit = params_.focal_length * params_.baseline;
   double disparity = unit / (depth * (1.0 + scale_));
-  if (params_.disparity_noise > 0.0) disparity += params_.disparity_noise * grainNoise(row, column);
+  if (params_.disparity_noise > 0.0)
+    disparity += params_.disparity_noise * grainNoise(disparity_grains_, row, column);
   if (params_.disparity_step > 0.0)
     disparity = params_.disparity_step * std::round(disparity / params_.disparity_step);
   if (!(disparity > 0.0)) return kNaN;

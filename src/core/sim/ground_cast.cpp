@@ -1,13 +1,16 @@
 #include "ground_cast.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostFours = 8;
+constexpr double kEnough = 1e-6;  // relative: the next step would be its square
 constexpr double kHorizon = 2e4;  // [m] no sensor sees water from farther
 
 /// To within half a turn of 0; the large number makes the sum lose what is behind the point.
@@ -26,7 +29,41 @@ double rangeToPlane(const Line& line, const Eigen::Vector2d& slope) {
 
 }  // namespace
 
+/// Height above the water along a line, and how fast it grows.
+struct Water::Along {
+  struct Slope {
+    double value, rate;
+  };
+  struct Phases {
+    Eigen::Array4d start, rate, amplitude;
+  };
+  const Line& line;
+  std::array<Phases, kMostFours> phases;
+  std::size_t count;
+
+  Along(const Line& l, const std::vector<Four>& fours, double time) : line(l), count(fours.size()) {
+    const Eigen::Vector3d &o = l.origin, &d = l.direction;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Four& w = fours[i];
+      phases[i] = {w.kx * o.x() + w.ky * o.y() - w.omega * time + w.phase, w.kx * d.x() + w.ky * d.y(),
+                   w.amplitude};
+    }
+  }
+  Slope at(double t) const {
+    Slope out{line.origin.z() + t * line.direction.z(), line.direction.z()};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Phases& w = phases[i];
+      const Eigen::Array4f phase = reduced(w.start + t * w.rate);
+      const Eigen::Array4f cosine = phase.cos(), sine = phase.sin();  // by four: a cast inside would end that
+      out.value -= (w.amplitude * cosine.cast<double>()).sum();
+      out.rate += (w.amplitude * w.rate * sine.cast<double>()).sum();
+    }
+    return out;
+  }
+};
+
 Water::Water(const std::vector<Wave>& waves) : fours_((waves.size() + 3) / 4) {
+  if (fours_.size() > kMostFours) throw std::invalid_argument("water has more than 32 waves");
   for (Four& four : fours_)
     four.kx = four.ky = four.omega = four.phase = four.amplitude = Eigen::Array4d::Zero();
   for (std::size_t i = 0; i < waves.size(); ++i) {
@@ -42,49 +79,74 @@ Water::Water(const std::vector<Wave>& waves) : fours_((waves.size() + 3) / 4) {
   }
 }
 
-Water::Slope Water::above(const Line& line, double time, double t) const {
-  Slope out{line.origin.z() + t * line.direction.z(), line.direction.z()};
-  for (const Four& w : fours_) {
-    const Eigen::Array4d rate = w.kx * line.direction.x() + w.ky * line.direction.y();
-    const Eigen::Array4d start = w.kx * line.origin.x() + w.ky * line.origin.y() - w.omega * time + w.phase;
-    const Eigen::Array4f phase = reduced(start + t * rate);
-    out.value -= (w.amplitude * phase.cos().cast<double>()).sum();
-    out.rate += (w.amplitude * rate * phase.sin().cast<double>()).sum();
+Span Water::band(const Line& line) const {
+  const double z = line.origin.z(), down = line.direction.z();
+  const double a = (highest_ - z) / down, b = (-highest_ - z) / down;  // infinite or NaN along the water
+  if (std::abs(z) <= highest_) return {0.0, std::isfinite(a) && std::isfinite(b) ? std::max(a, b) : kFar};
+  return a > 0.0 ? Span{std::min(a, b), std::max(a, b)} : Span{kFar, kFar};
+}
+
+Span Water::bounds(const Line& line) const {
+  const Span inside = band(line);
+  return {inside.enter, inside.enter > 0.0 ? inside.leave : kFar};
+}
+
+/// Newton's steps to the one place where the line meets the water, from near it.
+double Water::polish(const Along& along, double t, double bend) {
+  for (int i = 0; i < 20; ++i) {
+    const Along::Slope f = along.at(t);
+    const double step = -f.value / f.rate;
+    t += step;
+    if (bend * step * step < std::abs(f.rate) * kEnough * (1.0 + t))
+      return t;  // what is left is half of that
   }
-  return out;
+  return t;
 }
 
 /// Steps that cannot pass the surface: within a step s the height over the water, f, falls by at most
-/// s (largest slope) and by at most s |f'| + s^2 / 2 (largest bend). The second converges quadratically.
+/// s (largest slope), and by at most s |f'| + s^2 / 2 (largest bend); where it must fall to 0 by the same
+/// bound with the other sign, it does so once.
 double Water::range(const Line& line, double time) const {
-  const double z = line.origin.z(), down = line.direction.z(), flat = line.direction.head<2>().norm();
-  double t = 0.0;
-  if (std::abs(z) > highest_) {
-    if (z * down >= 0.0) return kFar;
-    t = (std::abs(z) - highest_) / std::abs(down);
-  }
-  const double lipschitz = std::abs(down) + steepest_ * flat, bend = bend_ * flat * flat;
-  for (int i = 0; i < 200 && t < kHorizon; ++i) {
-    const Slope f = above(line, time, t);
-    if (std::abs(line.origin.z() + t * down) > highest_ && (z + t * down) * down > 0.0) return kFar;
-    const double height = std::abs(f.value), fall = std::max(0.0, f.value > 0.0 ? -f.rate : f.rate);
+  const double flat = line.direction.head<2>().norm();
+  const double lipschitz = std::abs(line.direction.z()) + steepest_ * flat, bend = bend_ * flat * flat;
+  const Span inside = band(line);
+  double t = inside.enter;
+  if (!(t < kHorizon)) return kFar;
+  const Along along(line, fours_, time);
+  Along::Slope f = along.at(t);
+  const bool from_above = f.value > 0.0;
+  for (int i = 0; i < 200 && t < kHorizon; ++i, f = along.at(t)) {
+    if ((f.value > 0.0) != from_above) return t;  // rounding has carried it through
+    const double height = std::abs(f.value), fall = std::max(0.0, from_above ? -f.rate : f.rate);
+    if (fall * fall > 2.0 * bend * height) return polish(along, t + height / fall, bend);
     const double root = std::sqrt(fall * fall + 2.0 * bend * height);
     const double step = std::max(height / lipschitz, root > 0.0 ? 2.0 * height / (fall + root) : 0.0);
     t += step;
-    if (step < 1e-7 * (1.0 + t)) return t;
+    if (t > inside.leave + kEnough) return kFar;
+    if (step < kEnough * (1.0 + t)) return t;
   }
   return kFar;
 }
 
 Eigen::Vector3d Water::normal(double x, double y, double time) const {
-  const double dx = above({{x, y, 0}, {1, 0, 0}}, time, 0.0).rate;
-  const double dy = above({{x, y, 0}, {0, 1, 0}}, time, 0.0).rate;
-  return Eigen::Vector3d(dx, dy, 1.0).normalized();
+  Eigen::Vector3d up(0, 0, 1);
+  for (const Four& w : fours_) {
+    const Eigen::Array4f sine = reduced(w.kx * x + w.ky * y - w.omega * time + w.phase).sin();
+    const Eigen::Array4d steep = w.amplitude * sine.cast<double>();
+    up.x() += (w.kx * steep).sum(), up.y() += (w.ky * steep).sum();
+  }
+  return up.normalized();
 }
 
 double GroundCast::range(const Line& line, double time) const {
   if (ground_.kind == Ground::Kind::kPlane) return rangeToPlane(line, ground_.slope);
   return ground_.kind == Ground::Kind::kWater ? water_.range(line, time) : kFar;
+}
+
+Span GroundCast::bounds(const Line& line) const {
+  if (ground_.kind == Ground::Kind::kWater) return water_.bounds(line);
+  const double exact = range(line, 0.0);
+  return {exact, exact};
 }
 
 Eigen::Vector3d GroundCast::normal(const Eigen::Vector3d& at, double time) const {

@@ -10,20 +10,23 @@ namespace field_fusion::core::sim {
 /// The waves of Ground::height, four at a time: sines in single precision of phases reduced in double.
 class Water {
  public:
+  /// Throws std::invalid_argument for more than 32 waves.
   explicit Water(const std::vector<Wave>& waves);
 
   /// [m] to where the line first meets the surface from above or below; infinite: never.
   double range(const Line& line, double time) const;
+  /// [m] bounds of that, found at once: met not before the first, surely met by the second.
+  Span bounds(const Line& line) const;
   Eigen::Vector3d normal(double x, double y, double time) const;  ///< upwards
 
  private:
   struct Four {
     Eigen::Array4d kx, ky, omega, phase, amplitude;
   };
-  struct Slope {
-    double value, rate;  ///< of the height above the water along the line
-  };
-  Slope above(const Line& line, double time, double t) const;
+  struct Along;  // one line's phases; see the source
+  static double polish(const Along& along, double t, double bend);
+
+  Span band(const Line& line) const;  // the stretch between the highest crest and the deepest trough
 
   std::vector<Four> fours_;
   double highest_ = 0.0;   ///< [m] sum of the amplitudes
@@ -36,7 +39,10 @@ class GroundCast {
  public:
   explicit GroundCast(const Ground& ground) : ground_(ground), water_(ground.waves) {}
 
+  /// [m] infinite: never.
   double range(const Line& line, double time) const;
+  /// [m] bounds of that, found at once: met not before the first, surely met by the second.
+  Span bounds(const Line& line) const;
   Eigen::Vector3d normal(const Eigen::Vector3d& at, double time) const;  ///< upwards
 
  private:

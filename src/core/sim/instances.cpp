@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace field_fusion::core::sim {
@@ -64,15 +65,26 @@ void Instances::add(const Model& model, const Trajectory& way, int body) {
     const Link& link = model.links[i];
     if (link.parts.empty()) continue;
     const Geometry geometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(geometry.get(), scenes_.of(link));
+    const RTCScene scene = scenes_.of(link);
+    rtcSetGeometryInstancedScene(geometry.get(), scene);
     const Transform T_world_link = way.pose(0.0) * model.linkPose(i, 0.0);
-    Instance instance{&link, body, i, geometry.get(), Affine(T_world_link.inverse()), {}};
+    Instance instance{&link, body, i, scene, geometry.get(), Affine(T_world_link.inverse()), {}};
     if (!way.still() || swings(model, i)) instance.T_world_link.assign(2, Affine(T_world_link));
     place(geometry.get(), 0, Affine(T_world_link));
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene_, geometry.get(), static_cast<unsigned>(list_.size()));
     list_.push_back(std::move(instance));
   }
+}
+
+std::pair<unsigned, unsigned> Instances::of(int body) const {
+  // in the order of the world's bodies, the robot last
+  const auto order = [](int b) { return b == Hit::kRobot ? std::numeric_limits<int>::max() : b; };
+  const auto before = [&](const Instance& i, int b) { return order(i.body) < order(b); };
+  const auto after = [&](int b, const Instance& i) { return order(b) < order(i.body); };
+  const auto first = std::lower_bound(list_.begin(), list_.end(), body, before);
+  const auto last = std::upper_bound(first, list_.end(), body, after);
+  return {static_cast<unsigned>(first - list_.begin()), static_cast<unsigned>(last - list_.begin())};
 }
 
 bool Instances::setWindow(double begin, double end) {

@@ -14,6 +14,7 @@ struct Instance {
   const Link* link;
   int body;                          ///< place in World::bodies, or Hit::kRobot
   std::size_t place;                 ///< of the link in its model
+  RTCScene scene;                    ///< of the link alone
   RTCGeometry geometry;              ///< the scene owns it
   Affine T_link_world;               ///< of one that stands still
   std::vector<Affine> T_world_link;  ///< at even instants of the window; empty: stands still
@@ -30,6 +31,8 @@ class Instances {
   bool setWindow(double begin, double end);
   const Instance& operator[](unsigned i) const { return list_[i]; }
   std::size_t size() const { return list_.size(); }
+  /// Of one body: they follow each other, from the one to before the other.
+  std::pair<unsigned, unsigned> of(int body) const;
 
  private:
   void add(const Model& model, const Trajectory& way, int body);

@@ -97,7 +97,7 @@ void checkStaysOn(const Ground& ground, const Trajectory& way, const Yaml& yaml)
   if (ground.kind != Ground::Kind::kRough) return;
   for (double t = 0; t <= way.duration(); t += 0.1)
     if (const auto p = way.pose(t).translation(); p.head<2>().cwiseAbs().maxCoeff() > ground.half_extent)
-      yaml.fail("leaves the ground, which ends " + std::to_string(ground.half_extent) + " m from the origin");
+      yaml.fail("leaves the ground, which ends " + shortNumber(ground.half_extent) + " m from the origin");
 }
 
 }  // namespace

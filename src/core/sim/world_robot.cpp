@@ -1,6 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
+#include "field_fusion/core/sim/camera_params.h"
+#include "field_fusion/core/sim/gnss.h"
+#include "field_fusion/core/sim/imu.h"
+#include "field_fusion/core/sim/odometry.h"
+#include "field_fusion/core/sim/sensor_models.h"
 #include "world_parts.h"
 
 namespace field_fusion::core::sim {
@@ -17,39 +23,50 @@ std::vector<std::string> modelsIn(const std::string& folder) {
   return out;
 }
 
-/// A parameter of the sensor, of the same kind as its default.
-void checkOverride(const Yaml& value, const Yaml& usual, const std::string& key) {
-  if (usual.isMap() != value.isMap() || usual.isList() != value.isList())
-    value.fail(std::string("must be a ") + (usual.isMap()    ? "table"
-                                            : usual.isList() ? "list"
-                                                             : "single value"));
-  if (!usual.isText()) return;
-  const auto isNumber = [](const Yaml& yaml) {
-    double number;
-    return YAML::convert<double>::decode(YAML::Load(yaml.dump()), number);
-  };
-  if (isNumber(usual) && !isNumber(value)) value.fail("must be a number");
-  if (key == "rate") value.positive();
+template <class P>
+void checkParams(const std::string& file, const Overrides& overrides) {
+  P params;
+  Params declared = declarationOf(params);
+  readSensorFile(file, overrides, declared);
+}
+
+/// Throws what its reader throws.
+void checkSensor(const std::string& folder, const Mount& mount, const std::string& kind) {
+  const std::string file = (fs::path(folder) / (mount.model + ".yaml")).string();
+  if (kind == "imu") return checkParams<ImuParams>(file, mount.overrides);
+  if (kind == "gnss") return checkParams<GnssParams>(file, mount.overrides);
+  if (kind == "wheel_odometry") return checkParams<WheelOdometryParams>(file, mount.overrides);
+  if (kind == "leg_odometry") return checkParams<LegOdometryParams>(file, mount.overrides);
+  if (kind == "camera") return checkParams<CameraParams>(file, mount.overrides);
+  sensorParams(folder, mount.model, mount.overrides);
 }
 
 Mount readMount(const Yaml& yaml, const std::string& sensors) {
-  static const std::vector<std::string> own{"name", "model", "pose"};
+  static const std::vector<std::string> own{"name", "model", "pose", "clock_error"};
   Mount mount;
   const auto keys = yaml.keys();
   mount.name = yaml["name"].text();
   mount.model = yaml["model"].text();
   mount.T_base_sensor = yaml.has("pose") ? readFrame(yaml["pose"]) : Transform::Identity();
+  if (yaml.has("clock_error")) mount.clock_error = yaml["clock_error"].number(0, 1);
   const auto models = modelsIn(sensors);
   if (std::find(models.begin(), models.end(), mount.model) == models.end())
     yaml["model"].fail("no sensor " + mount.model + " in " + sensors + nearestName(mount.model, models));
 
   const Yaml usual = Yaml::file((fs::path(sensors) / (mount.model + ".yaml")).string());
-  const auto parameters = usual.keys();
+  auto parameters = usual.keys();
+  parameters.erase(std::remove(parameters.begin(), parameters.end(), "kind"), parameters.end());
   for (const std::string& key : keys) {
     if (std::find(own.begin(), own.end(), key) != own.end()) continue;
-    if (!usual.has(key)) yaml[key].fail("no parameter of " + mount.model + nearestName(key, parameters));
-    checkOverride(yaml[key], usual[key], key);
+    if (std::find(parameters.begin(), parameters.end(), key) == parameters.end())
+      yaml[key].fail("no parameter of " + mount.model + nearestName(key, parameters));
+    if (key == "rate") yaml[key].positive();
     mount.overrides[key] = yaml[key].dump();
+  }
+  try {
+    checkSensor(sensors, mount, usual["kind"].text());
+  } catch (const std::runtime_error& fault) {
+    yaml.fail(fault.what());
   }
   return mount;
 }

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ class Yaml {
   std::shared_ptr<const std::string> file_;
   std::string key_;
 };
+
+/// As people write it, to six digits after the point.
+std::string shortNumber(double value);
 
 /// " (did you mean NAME?)" for the one most like it, or nothing where none is.
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);

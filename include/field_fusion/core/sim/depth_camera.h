@@ -18,7 +18,7 @@ struct DepthCameraParams {
   int noise_grain = 4;
   double disparity_step = 0.03125;
   double depth_step = 0.001;
-  double projector_range = 8.0, texture_weight = 2.0, match_noise = 0.25;
+  double projector_range = 12.0, texture_weight = 2.0, match_noise = 0.25;
   double edge_loss = 0.5;
   int threads = 0;
 
@@ -29,7 +29,7 @@ struct DepthCameraParams {
     p.number("depth_scale", depth_scale, {0.0, 0.2}, "", When::kStart,
              "Error of depth in proportion to it, drawn once per seed between minus and plus this.");
     p.number("noise_grain", noise_grain, {1, 64}, "px", When::kStart,
-             "Errors of pixels so far apart are independent: the window that is matched.");
+             "Errors and holes of pixels so far apart are independent: the window that is matched.");
     p.number("disparity_step", disparity_step, {0.0, 1.0}, "px", When::kStart,
              "Disparities are multiples of it; 0: any.");
     p.number("depth_step", depth_step, {0.0, 0.1}, "m", When::kStart, "Depths are multiples of it; 0: any.");
@@ -93,7 +93,7 @@ class DepthCamera {
   void matchRow(int row, std::uint64_t seed);
   bool atStep(int row, int column) const;
   void drawGrains(std::uint64_t seed);
-  float grainNoise(int row, int column) const;
+  float grainNoise(const std::vector<float>& grains, int row, int column) const;
   float measured(float depth, int row, int column, std::uint64_t seed) const;
 
   DepthCameraParams params_;
@@ -101,8 +101,9 @@ class DepthCamera {
   double scale_;
   DepthImage image_;
   DepthTruth truth_;
-  std::vector<float> grains_;  // matcher's noise at every noise_grain-th pixel of every noise_grain-th row
-  std::vector<float> match_;   // how well each pixel can be matched; 1: every other time
+  std::vector<float> match_;  // how well each pixel can be matched; 1: every other time
+  // of every noise_grain-th pixel of every noise_grain-th row: noise of the disparity and of the match
+  std::vector<float> disparity_grains_, match_grains_;
 };
 
 }  // namespace field_fusion::core::sim

@@ -29,9 +29,9 @@ struct GnssParams {
 };
 
 struct GnssSample {
-  double time = 0.0;         ///< [s]
-  Eigen::Vector3d position;  ///< [m] of the antenna: east, north, up in the world's frame
-  Eigen::Vector3d sigma;     ///< [m] error to expect
+  double time = 0.0;                  ///< [s]
+  Eigen::Vector3d position{0, 0, 0};  ///< [m] of the antenna: east, north, up in the world's frame
+  Eigen::Vector3d sigma{0, 0, 0};     ///< [m] error to expect
 };
 
 class Gnss {

@@ -17,7 +17,7 @@ struct ImuParams {
   double gyro_walk = 0.002;
   double gyro_range = 2000.0;
   double accel_noise = 150.0;
-  double accel_bias = 30.0;
+  double accel_bias = 70.0;
   double accel_walk = 0.02;
   double accel_range = 16.0;
 
@@ -37,9 +37,10 @@ struct ImuParams {
 };
 
 struct ImuSample {
-  double time = 0.0;               ///< [s]
-  Eigen::Vector3d angular_rate;    ///< [rad/s] in the sensor's frame
-  Eigen::Vector3d specific_force;  ///< [m/s^2] in the sensor's frame; +g upwards when it stands still
+  double time = 0.0;                      ///< [s]
+  Eigen::Vector3d angular_rate{0, 0, 0};  ///< [rad/s] in the sensor's frame
+  Eigen::Vector3d specific_force{0, 0,
+                                 0};  ///< [m/s^2] in the sensor's frame; +g upwards when it stands still
 };
 
 /// What a perfect unit at `T_base_imu` feels, as the mean over `span` [s] about `time`: lever arm and shake

@@ -66,12 +66,12 @@ struct LegOdometryParams {
 
 /// Frame odom: where the body stood at time 0, level.
 struct OdometrySample {
-  double time = 0.0;             ///< [s]
-  Transform T_odom_base;         ///< wheels: level, at height 0
-  Eigen::Vector3d velocity;      ///< [m/s] in the base's frame
-  Eigen::Vector3d angular_rate;  ///< [rad/s] in the base's frame
-  double sigma_position = 0.0;   ///< [m] error to expect of x and y, by the parameters and the distance
-  double sigma_yaw = 0.0;        ///< [rad]
+  double time = 0.0;                              ///< [s]
+  Transform T_odom_base = Transform::Identity();  ///< wheels: level, at height 0
+  Eigen::Vector3d velocity{0, 0, 0};              ///< [m/s] in the base's frame
+  Eigen::Vector3d angular_rate{0, 0, 0};          ///< [rad/s] in the base's frame
+  double sigma_position = 0.0;  ///< [m] error to expect of x and y, by the parameters and the distance
+  double sigma_yaw = 0.0;       ///< [rad]
 };
 
 /// The error that grows with the distance walked. It is drawn for each stride of 0.5 s, from the way made in

@@ -52,7 +52,8 @@ struct Mount {
   std::string name;                                 ///< unique on the robot; names topics and frame
   std::string model;                                ///< such as rplidar_a3
   Transform T_base_sensor = Transform::Identity();  ///< sensor's frame, x forward; cameras too
-  std::map<std::string, std::string> overrides;     ///< parameter -> YAML text
+  double clock_error = 0.0;                      ///< [s] its clock is off by at most so much, drawn per seed
+  std::map<std::string, std::string> overrides;  ///< parameter -> YAML text
 };
 
 struct Robot {

@@ -44,7 +44,8 @@ Model boat(const ShapeParams& p) {
   const float x = 0.5f * of(p, "length"), y = 0.5f * of(p, "width"), h = of(p, "height"),
               keel = -of(p, "draught");
   const float deck = 0.35f * h;
-  const auto station = [&](float at, float wide, float bottom, float top) {  // counter-clockwise seen from ahead
+  const auto station = [&](float at, float wide, float bottom,
+                           float top) {  // counter-clockwise seen from ahead
     return std::vector<Vector3f>{{at, -wide, top},
                                  {at, -0.8f * wide, 0.5f * bottom},
                                  {at, 0, bottom},

@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kHip = 0.53f, kKnee = 0.285f, kShoulder = 0.818f, kElbow = 0.63f, kHand = 0.485f;
 
-/// How legs and arms swing so that the feet do not slide: at a walk the step grows with the square root of
-/// the speed, and a leg of length L reaches asin(step / 2 L) to both sides.
+/// How legs and arms swing so that a foot steps as far as the body goes: the step grows with the square root
+/// of the speed, and a leg of length L reaches asin(step / 2 L) to both sides.
 struct Gait {
   double swing = 0.0, period = 1.0;  ///< [rad], [s] of two steps
 

@@ -81,8 +81,8 @@ Model tree(const ShapeParams& p) {
   Builder builder;
   builder.use(bark()).rod({0, 0, 0}, {0, 0, h - ball}, 0.5f * of(p, "trunk"));
   builder.use(sheer(leaves(), of(p, "transparency"))).ball({0, 0, h - ball}, ball);
-  for (int i = 0; i < 7; ++i) {  // the first and the fourth reach the sides, the others lie between
-    const double angle = radians(360.0) * i / 7.0;
+  for (int i = 0; i < 8; ++i) {  // every other one reaches the side
+    const double angle = radians(45.0) * i;
     const float up = (i % 3 - 1) * 0.4f * (0.5f * crown - ball), out = i % 2 ? 0.8f * reach : reach;
     builder.ball(
         {out * static_cast<float>(std::cos(angle)), out * static_cast<float>(std::sin(angle)), middle + up},

@@ -1,4 +1,4 @@
-#include "field_fusion/core/sim/scene.h"
+#include "support/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -8,18 +8,21 @@
 
 #include "field_fusion/core/base/types.h"
 
-namespace field_fusion::core {
+namespace field_fusion::test {
 namespace {
+
+using core::cartesian;
+using core::radians;
 
 const Eigen::Vector3d kEye(0, 0, 2);
 
-Body box(Eigen::Vector2d middle, Eigen::Vector3d size) { return {"box", Body::Shape::kBox, size, middle}; }
+Body box(Eigen::Vector2d middle, Eigen::Vector3d size) { return {Body::Shape::kBox, size, middle}; }
 Body cylinder(Eigen::Vector2d middle, double width, double height) {
-  return {"cylinder", Body::Shape::kCylinder, {width, width, height}, middle};
+  return {Body::Shape::kCylinder, {width, width, height}, middle};
 }
 
 Hit cast(const Scene& scene, const Eigen::Vector3d& direction) {
-  return core::cast(scene, 0.0, kEye, direction.normalized());
+  return test::cast(scene, kEye, direction.normalized());
 }
 
 TEST(Cast, MeetsTheGroundOfAnEmptyScene) {
@@ -51,8 +54,8 @@ TEST(Cast, PassesABoxOnEverySide) {
 }
 
 TEST(Cast, MeetsTheRoof) {
-  EXPECT_DOUBLE_EQ(core::cast({box({0, 0}, {2, 2, 1})}, 0.0, kEye, {0, 0, -1}).range, 1.0);
-  EXPECT_DOUBLE_EQ(core::cast({cylinder({0, 0}, 2, 1)}, 0.0, kEye, {0, 0, -1}).range, 1.0);
+  EXPECT_DOUBLE_EQ(test::cast({box({0, 0}, {2, 2, 1})}, kEye, {0, 0, -1}).range, 1.0);
+  EXPECT_DOUBLE_EQ(test::cast({cylinder({0, 0}, 2, 1)}, kEye, {0, 0, -1}).range, 1.0);
   // 45 deg down: on the roof's plane, 1 m below the eye, after 1 m over ground
   EXPECT_NEAR(cast({cylinder({1.5, 0}, 2, 1)}, {1, 0, -1}).range, std::sqrt(2.0), 1e-12);
 }
@@ -81,7 +84,7 @@ double walk(const Scene& scene, const Eigen::Vector3d& direction, double step) {
   for (double range = 0.0; range < 30.0; range += step) {
     const Eigen::Vector3d p = kEye + range * direction;
     for (const Body& body : scene) {
-      const Eigen::AlignedBox3d bounds = body.boxAt(0.0);
+      const Eigen::AlignedBox3d bounds = body.box();
       const bool round = body.shape == Body::Shape::kCylinder;
       if (round && (p - bounds.center()).head<2>().norm() > 0.5 * body.size.x()) continue;
       if (bounds.contains(p)) return range;
@@ -98,7 +101,7 @@ TEST(Cast, EqualsAWalkAlongTheRay) {
   std::uniform_real_distribution<double> azimuth(-3.14, 3.14), elevation(-1.2, 0.3);
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d ray = cartesian({1.0, azimuth(random), elevation(random)});
-    const double range = core::cast(scene, 0.0, kEye, ray).range, walked = walk(scene, ray, 0.005);
+    const double range = test::cast(scene, kEye, ray).range, walked = walk(scene, ray, 0.005);
     if (std::isinf(walked)) {
       EXPECT_GT(range, 29.9);
     } else {
@@ -107,24 +110,5 @@ TEST(Cast, EqualsAWalkAlongTheRay) {
   }
 }
 
-TEST(Body, SwingsAroundTheMiddleOfItsWay) {
-  Body body = box({10, 5}, {2, 1, 3});
-  body.reach = {4, -2};
-  body.period = 8.0;
-  EXPECT_TRUE(body.boxAt(0.0).center().isApprox(Eigen::Vector3d(10, 5, 1.5)));
-  EXPECT_TRUE(body.boxAt(2.0).center().isApprox(Eigen::Vector3d(14, 3, 1.5)));
-  EXPECT_TRUE(body.boxAt(6.0).center().isApprox(Eigen::Vector3d(6, 7, 1.5)));
-  EXPECT_TRUE(body.boxAt(1.0).sizes().isApprox(Eigen::Vector3d(2, 1, 3)));
-}
-
-TEST(QuayScene, NoBodiesMeetWhileTheyMove) {
-  const Scene scene = quayScene();
-  for (double time = 0.0; time < 60.0; time += 0.5)
-    for (std::size_t i = 0; i < scene.size(); ++i)
-      for (std::size_t j = i + 1; j < scene.size(); ++j)
-        ASSERT_FALSE(scene[i].boxAt(time).intersects(scene[j].boxAt(time)))
-            << i << " and " << j << " at " << time;
-}
-
 }  // namespace
-}  // namespace field_fusion::core
+}  // namespace field_fusion::test

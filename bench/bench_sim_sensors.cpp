@@ -1,0 +1,92 @@
+// Beams and depth frames of the simulator a second, with every fault on, where the papers' robots stand.
+#include <chrono>
+
+#include "field_fusion/core/sim/sensor_models.h"
+#include "figure.h"
+
+namespace {
+
+using namespace field_fusion;
+using namespace field_fusion::core::sim;
+
+constexpr int kRepeats = 41;
+const std::string kConfig = PROJECT_DIR "/config/";
+
+double wallMs() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+/// A world, and one sensor of its robot on its way.
+struct Bench {
+  World world;
+  Mount mount;
+  Caster caster;
+  PoseAt pose;
+
+  Bench(const std::string& name, const std::string& sensor)
+      : world(loadWorld(kConfig + "worlds/" + name + ".yaml")), mount(mountOf(sensor)), caster(world) {
+    pose = [this](double time) { return world.robot.way.pose(time) * mount.T_base_sensor; };
+  }
+  Mount mountOf(const std::string& sensor) const {
+    for (const Mount& m : world.robot.mounts)
+      if (m.name == sensor) return m;
+    throw std::runtime_error("no sensor " + sensor + " in " + world.name);
+  }
+};
+
+/// Faults that the model's file leaves out are on too.
+void beams(const std::string& name, const std::string& mount, const std::string& model) {
+  Bench bench(name, mount);
+  const std::string other = model.empty() ? bench.mount.model : model;
+  const Overrides faults = {{"fault_rate", "0.001"},
+                            {"range_noise_weak", "0.01"},
+                            {"range_scale", "0.001"},
+                            {"angle_noise", "0.02"}};
+  Sensor sensor = makeSensor(kConfig + "sensors", other, faults, 1);
+  std::vector<double> rates;
+  double time = 0.0, returns = 0.0, mixed = 0.0;
+  const auto scan = [&](auto& lidar) {
+    lidar.scan(bench.caster, bench.pose, time);
+    time += 1.0 / lidar.params().rate;
+    for (const BeamReturn& r : lidar.truth()) returns += r.body != Hit::kNothing, mixed += r.mixed;
+  };
+  auto* flat = std::get_if<Scanner2d>(&sensor);
+  auto* deep = std::get_if<Lidar3d>(&sensor);
+  const double count =
+      flat ? flat->params().steps() : 1.0 * deep->params().columns() * deep->params().elevations.size();
+  for (const double ms : bench::costs(kRepeats, [&] { flat ? scan(*flat) : scan(*deep); }))
+    rates.push_back(1e-3 * count / ms);
+  std::printf("%s on %s: %.0f beams a scan, %.0f returns, %.1f %% of them mixed\n", other.c_str(),
+              name.c_str(), count, returns / (kRepeats + 1), 100.0 * mixed / returns);
+  bench::print("sim/beams/" + name + "/" + other, bench::medianFigure(rates), "million/s");
+}
+
+/// By the clock on the wall, because the frame is shared by threads.
+void frames(const std::string& name, const std::string& mount, int threads) {
+  Bench bench(name, mount);
+  Sensor sensor =
+      makeSensor(kConfig + "sensors", bench.mount.model, {{"threads", std::to_string(threads)}}, 1);
+  auto& camera = std::get<DepthCamera>(sensor);
+  std::vector<double> rates;
+  for (int i = 0; i < kRepeats; ++i) {
+    const double start = wallMs();
+    camera.frame(bench.caster, bench.pose, i / camera.params().rate);
+    rates.push_back(1e3 / (wallMs() - start));
+  }
+  bench::print("sim/depth_frames/" + name + "/" + std::to_string(threads) + "_threads",
+               bench::medianFigure(rates), "1/s");
+}
+
+}  // namespace
+
+int main() {
+  beams("usv_cages", "lidar", "");
+  beams("usv_cages", "lidar", "hdl64");
+  beams("quad_lab", "scan", "");
+  beams("quad_lab", "scan", "lms141");
+  beams("quad_lab", "scan", "vlp16");
+  frames("quad_lab", "depth", 1);
+  frames("quad_lab", "depth", 2);
+  return 0;
+}

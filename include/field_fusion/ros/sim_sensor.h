@@ -1,0 +1,89 @@
+#pragma once
+// Sensors of a simulated robot as sources of messages.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "field_fusion/core/sim/caster.h"
+#include "field_fusion/core/sim/pose_track.h"
+#include "field_fusion/ros/sim_output.h"
+#include "field_fusion/ros/sim_params.h"
+
+namespace field_fusion {
+
+/// What all sources of a run share.
+struct SimSetup {
+  const core::sim::World& world;
+  core::sim::Caster& caster;
+  const SimParams& params;
+  std::string sensors;  ///< folder of the sensors' files
+
+  std::uint64_t seedOf(const std::string& what) const;
+};
+
+/// Something that gives out messages at a steady rate.
+class SimSource {
+ public:
+  virtual ~SimSource() = default;
+  /// [s] when its next messages are ready.
+  double due() const { return static_cast<double>(count_) / rate_ + latency_; }
+  void run(const SimSink& sink) {
+    measure(static_cast<double>(count_) / rate_, simTime(due()), sink);
+    ++count_;
+  }
+
+ protected:
+  /// `latency` [s] from the stamp of a measurement to its message.
+  explicit SimSource(double rate, double latency = 0.0) : rate_(rate), latency_(latency) {}
+  virtual void measure(double time, const ros::Time& ready, const SimSink& sink) = 0;
+
+ private:
+  double rate_, latency_;
+  std::uint64_t count_ = 0;
+};
+
+/// A sensor on the robot: names, frame, way, and a clock that may be wrong.
+class SimMount {
+ public:
+  SimMount(const SimSetup& setup, const core::sim::Mount& mount);
+
+  const std::string& name() const { return name_; }
+  std::string topic(const char* what) const { return name_ + "/" + what; }
+  std::string truthTopic(const char* what) const { return "truth/" + name_ + "/" + what; }
+  std_msgs::Header header(double time, const char* frame_suffix = "") const;
+  const core::sim::PoseAt& pose() const { return pose_; }  ///< T_world_sensor
+  double clockError() const { return clock_error_; }       ///< [s]
+
+ private:
+  std::string name_;
+  core::sim::PoseAt pose_;
+  double clock_error_;
+};
+
+using SimSources = std::vector<std::unique_ptr<SimSource>>;
+
+/// What one mount gives. Throws std::runtime_error that names file, line and key of a fault, or the kind of a
+/// sensor that is not known. `odometry_tf`: an odometry also says so on /tf.
+std::unique_ptr<SimSource> simSource(const SimSetup& setup, const core::sim::Mount& mount, bool odometry_tf);
+bool isOdometry(const SimSetup& setup, const core::sim::Mount& mount);
+bool isCamera(const SimSetup& setup, const core::sim::Mount& mount);  ///< has an optical frame
+
+// One maker for each kind in a sensor's file.
+std::unique_ptr<SimSource> simScanner2d(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simLidar3d(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simDepthCamera(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simColourCamera(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simImu(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simGnss(const SimSetup&, const core::sim::Mount&);
+std::unique_ptr<SimSource> simWheelOdometry(const SimSetup&, const core::sim::Mount&, bool tf);
+std::unique_ptr<SimSource> simLegOdometry(const SimSetup&, const core::sim::Mount&, bool tf);
+
+/// What is true of the robot and the bodies, each with its rate.
+SimSources simTruth(const SimSetup& setup);
+
+template <class M>
+void send(const SimSink& sink, std::string topic, const ros::Time& ready, boost::shared_ptr<M> message) {
+  sink({std::move(topic), ready, boost::shared_ptr<const M>(std::move(message)), false});
+}
+
+}  // namespace field_fusion

@@ -1,0 +1,30 @@
+#!/usr/bin/python3
+"""Takes RViz's picture of every world, live, for docs/worlds.md. Arguments: worlds; none: all."""
+import pathlib
+import sys
+import time
+
+from demo import take_picture, virtual_display
+from ros_session import RosSession
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+VIEWS = {"usv_harbour": (32, 0.5), "usv_cages": (13, 0.5), "quad_corridor": (12, 1.15), "office": (26, 0.9)}
+USUAL = (9, 0.8)  # m from the robot, rad above the horizon
+SETTLED = 12.0  # s until RViz has drawn all
+
+
+def main():
+    worlds = sys.argv[1:] or sorted(file.stem for file in (ROOT / "config/worlds").glob("*.yaml"))
+    for world in worlds:
+        with RosSession() as session:
+            virtual_display(session)
+            distance, pitch = VIEWS.get(world, USUAL)
+            session.launch("field_fusion", "sim.launch", f"world:={world}", f"distance:={distance}", f"pitch:={pitch}")
+            rviz_runs = lambda: any("/rviz" in nodes for _, nodes in session.system_state()[1])
+            session.require(rviz_runs, 120.0, "RViz did not come up")
+            time.sleep(SETTLED)
+            take_picture(ROOT / f"docs/images/{world}.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+#pragma once
+// From the light at the pixels to numbers: what lens and sensor do to a picture, one row at a time.
+#include <array>
+
+#include <opencv2/core/mat.hpp>
+
+#include "field_fusion/core/sim/exposure.h"
+#include "field_fusion/core/sim/lens.h"
+
+namespace field_fusion::core::sim {
+
+/// Light that the lens scatters about the sun: 10 E / theta^2 (theta in degrees, Stiles and Holladay 1929)
+/// for a human eye, as radiance over that of a white sheet (E = pi of it), in any direction `d`.
+float scattered(const Eigen::Vector3f& d, const Eigen::Vector3f& to_sun);
+
+/// Turns of the camera during an exposure, in the optical frame of its middle.
+struct Motion {
+  Transform T_begin_middle, T_end_middle;
+
+  /// [px] that a point at `range` [m] along a ray moves; NaN if it is not in front at both ends.
+  Eigen::Vector2f shift(const Lens& lens, const Eigen::Vector3f& ray, float range) const;
+  /// [px] the longest shift, sampled over the picture for what is endlessly far and for the `nearest` [m].
+  float longest(const Lens& lens, float nearest) const;
+};
+
+constexpr float kSharp = 0.25f;  ///< [px] a shift that is not seen
+
+/// Row `v` of the picture as it is smeared by the motion. `light` is CV_32FC3, `ranges` CV_32F.
+void blurRow(const Lens& lens, const Motion& motion, const cv::Mat& light, const cv::Mat& ranges, int v,
+             cv::Mat& out);
+
+/// Sensor of 12 bits behind a vignetting lens; output in sRGB.
+class Film {
+ public:
+  explicit Film(const CameraParams& params);
+
+  /// Mean brightness 0..1 of a row, pixels that overflow taken as white.
+  double meter(const cv::Mat& light, int v, double scale) const;
+  /// `seed` of the row.
+  void develop(const cv::Mat& light, int v, const Exposure& exposure, std::uint64_t seed, cv::Mat& out) const;
+
+ private:
+  static constexpr int kSteps = 4096;
+
+  float vignette(int u, int v) const;
+
+  CameraParams params_;
+  float corner_;                           // [px^2] from the middle
+  std::array<std::uint8_t, kSteps> srgb_;  // of the sensor's numbers
+  std::array<float, kSteps> normal_;       // quantiles of the normal distribution, variance 1
+};
+
+}  // namespace field_fusion::core::sim

@@ -1,0 +1,79 @@
+#include "field_fusion/core/sim/image_truth.h"
+
+#include <algorithm>
+
+#include "rows.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+/// Pixels of a body.
+struct Count {
+  int number = 0;
+  cv::Point low{1 << 30, 1 << 30}, high{-1, -1};
+
+  void add(int u, int v) {
+    ++number;
+    low = {std::min(low.x, u), std::min(low.y, v)}, high = {std::max(high.x, u), std::max(high.y, v)};
+  }
+  ImageBox box() const {
+    if (number == 0) return {};
+    return {static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x + 1),
+            static_cast<float>(high.y + 1)};
+  }
+};
+
+struct Job {
+  int body;
+  cv::Rect rect;
+  Count seen, alone;
+};
+
+void count(Job& job, const Caster& caster, const Lens& lens, const Eigen::Isometry3f& T_world_optical,
+           const cv::Mat& bodies) {
+  for (int v = job.rect.y; v < job.rect.y + job.rect.height; ++v) {
+    const int* shown = bodies.ptr<int>(v);
+    for (int u = job.rect.x; u < job.rect.x + job.rect.width; ++u) {
+      const bool seen = shown[u] == job.body;
+      if (seen) job.seen.add(u, v);
+      const Ray ray{T_world_optical.translation(), T_world_optical.linear() * lens.ray(u, v), 0.f};
+      if (seen || std::isfinite(caster.rangeTo(job.body, ray))) job.alone.add(u, v);
+    }
+  }
+}
+
+BodyView viewOf(const Job& job, cv::Size picture) {
+  BodyView view;
+  view.body = job.body;
+  view.box = job.alone.box(), view.visible_box = job.seen.box();
+  view.visible = static_cast<double>(job.seen.number) / job.alone.number;
+  view.cut = cutBits(view.box, picture, 0.f);
+  return view;
+}
+
+}  // namespace
+
+ImageTruth::ImageTruth(const World& world, const Lens& lens) : world_(world), lens_(lens) {
+  for (const Body& body : world.bodies) outlines_.emplace_back(body.model);
+}
+
+std::vector<BodyView> ImageTruth::views(const Caster& caster, const Transform& T_world_optical, double time,
+                                        const cv::Mat& bodies, int threads) const {
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+    const Body& body = world_.bodies[i];
+    if (body.label.empty()) continue;
+    const Transform T_optical_body = T_world_optical.inverse() * body.way.pose(time);
+    const cv::Rect rect = outlines_[i].rect(body.model, T_optical_body, time, lens_);
+    if (!rect.empty()) jobs.push_back({static_cast<int>(i), rect, {}, {}});
+  }
+  const Eigen::Isometry3f T = T_world_optical.cast<float>();
+  overRows(static_cast<int>(jobs.size()), workersOf(threads),
+           [&](int j, int) { count(jobs[static_cast<std::size_t>(j)], caster, lens_, T, bodies); });
+  std::vector<BodyView> views;
+  for (const Job& job : jobs)
+    if (job.alone.number > 0) views.push_back(viewOf(job, bodies.size()));
+  return views;
+}
+
+}  // namespace field_fusion::core::sim

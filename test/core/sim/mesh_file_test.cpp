@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include "field_fusion/core/sim/shapes.h"
+#include "support/temp_folder.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+const char* const kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(MeshFile, ObjIsReadAndScaled) {
+  const field_fusion::test::TempFolder folder;
+  const Mesh mesh = loadMesh(folder.write("a.obj", kTetrahedron).string(), 2.0);
+  EXPECT_EQ(mesh.triangles.size(), 4u);
+  Model model;
+  model.links.push_back({{{mesh, {}}}, {}, -1});
+  EXPECT_TRUE(model.box().sizes().isApprox(Eigen::Vector3d(2, 4, 6)));
+}
+
+TEST(MeshFile, PlyIsRead) {
+  const field_fusion::test::TempFolder folder;
+  const auto file =
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                   "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  EXPECT_EQ(loadMesh(file.string()).triangles.size(), 2u) << "a square is two triangles";
+}
+
+std::string faultOf(const std::string& file) {
+  try {
+    loadMesh(file);
+  } catch (const std::runtime_error& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+TEST(MeshFile, FaultsNameTheFile) {
+  const field_fusion::test::TempFolder folder;
+  EXPECT_NE(faultOf("/nowhere/cage.obj").find("/nowhere/cage.obj"), std::string::npos);
+  for (const char* text : {"", "v 0 0 0\nv 1 0 0\nl 1 2\n", "this is no mesh\n"}) {
+    const std::string file = folder.write("bad.obj", text).string();
+    EXPECT_NE(faultOf(file).find(file), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace field_fusion::core::sim

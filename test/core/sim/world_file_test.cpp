@@ -1,0 +1,214 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "field_fusion/core/base/params_text.h"
+#include "field_fusion/core/sim/imu.h"
+#include "field_fusion/core/sim/scanner2d.h"
+#include "field_fusion/core/sim/world.h"
+#include "support/temp_folder.h"
+
+namespace field_fusion::core::sim {
+namespace {
+
+class WorldFile : public testing::Test {
+ protected:
+  WorldFile() {
+    ImuParams imu;
+    folder_.write("sensors/imu_a.yaml", "kind: imu\n" + toYaml(declarationOf(imu)));
+    Scanner2dParams scan;
+    folder_.write("sensors/scan_b.yaml", "kind: scanner2d\n" + toYaml(declarationOf(scan)));
+  }
+  World load(const std::string& text) const {
+    return loadWorld(folder_.write("worlds/w.yaml", text).string());
+  }
+  /// What loading says; empty when it loads.
+  std::string fault(const std::string& text) const {
+    try {
+      load(text);
+      return "";
+    } catch (const std::runtime_error& fault) {
+      const std::string what = fault.what();
+      return what.substr(what.rfind("w.yaml:") + 7);
+    }
+  }
+
+  test::TempFolder folder_;
+};
+
+const char* const kFull = R"(
+ground: {kind: plane, slope_deg: [45, 0]}
+light: {sun_azimuth_deg: 90, sun_elevation_deg: 0}
+bodies:
+  - {name: crate, label: box, shape: box, params: {length: 2}, pose: [3, 1, 90], material: {colour: [1, 0, 0]}}
+  - {name: post, shape: cylinder, pose: [0, 5, 0.5, 0], repeat: {count: [2, 2], step: [1, 2]}}
+  - name: pair
+    parts:
+      - {shape: box}
+      - {shape: sphere, params: {diameter: 0.5}, at: [0, 0, 1]}
+    motion: {points: [[0, -5], {at: [4, -5, 0.25], pause: 2}], speed: 2, loop: true, shake: gait}
+robot:
+  name: dog
+  pose: [0, 0, 0]
+  mounts:
+    - {name: imu, model: imu_a, gyro_noise: 0.3}
+    - {name: scan, model: scan_b, pose: [0.1, 0, 0.5, 0, 90, 0]}
+  body: {shape: box, params: {height: 0.4}}
+dimensions:
+  - {name: d, from: [0, 0, 0], to: [3, 4, 0]}
+)";
+
+TEST_F(WorldFile, SaysWhatItSays) {
+  const World world = load(kFull);
+  EXPECT_EQ(world.name, "w");
+  ASSERT_EQ(world.bodies.size(), 6u);
+  const Body& crate = world.bodies[0];
+  EXPECT_EQ(crate.label, "box");
+  EXPECT_TRUE(crate.size.isApprox(Eigen::Vector3d(2, 1, 1), 1e-6));
+  EXPECT_TRUE(crate.way.pose(0).translation().isApprox(Eigen::Vector3d(3, 1, 3), 1e-9));  // on the slope
+  EXPECT_EQ(crate.model.links[0].parts[0].material.colour, Eigen::Vector3f(1, 0, 0));
+  EXPECT_EQ(world.bodies[4].name, "post_4");
+  EXPECT_TRUE(world.bodies[4].way.pose(0).translation().isApprox(Eigen::Vector3d(1, 7, 1.5), 1e-9));
+  EXPECT_NEAR(world.bodies[5].size.z(), 1.5, 1e-6);
+  EXPECT_GT(world.bodies[5].way.duration(), 4.0);
+  EXPECT_TRUE(world.light.to_sun.isApprox(Eigen::Vector3d(0, 1, 0), 1e-9));
+  EXPECT_EQ(world.dimensions.at(0).length(), 5.0);
+}
+
+TEST_F(WorldFile, RobotHasItsMounts) {
+  const Robot robot = load(kFull).robot;
+  EXPECT_EQ(robot.name, "dog");
+  ASSERT_EQ(robot.mounts.size(), 2u);
+  EXPECT_EQ(robot.mounts[0].overrides.at("gyro_noise"), "0.3");
+  const Transform& T = robot.mounts[1].T_base_sensor;  // pitched by 90 degrees: looks down
+  EXPECT_TRUE((T.linear() * Eigen::Vector3d::UnitX()).isApprox(-Eigen::Vector3d::UnitZ(), 1e-9));
+  EXPECT_NEAR(robot.model.box().max().z(), 0.4, 1e-6);
+}
+
+TEST_F(WorldFile, BodiesFloatOnWater) {
+  const World world = load(R"(
+ground: {kind: water, waves: [{amplitude: 0.5, length: 30}]}
+bodies:
+  - {name: buoy, shape: box, pose: [0, 0, -0.25, 0], floats: true}
+  - {name: pile, shape: box, pose: [0, 9, 0]}
+)");
+  EXPECT_NEAR(world.bodies[0].way.pose(0).translation().z(), 0.25, 0.01);  // a crest
+  EXPECT_FALSE(world.bodies[0].way.still());
+  EXPECT_TRUE(world.bodies[1].way.still());
+  EXPECT_EQ(world.bodies[1].way.pose(0).translation().z(), 0.0);
+}
+
+struct Fault {
+  const char* text;
+  const char* says;
+};
+
+class WorldFileFault : public WorldFile, public testing::WithParamInterface<Fault> {};
+
+TEST_P(WorldFileFault, IsNamedWithLineAndKey) { EXPECT_EQ(fault(GetParam().text), GetParam().says); }
+
+const char* const kRobot = "robot: {pose: [0, 0], mounts: [{name: a, model: imu_a}]}\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, WorldFileFault,
+    testing::Values(
+        Fault{"name: a\nbodys: []\n", "2: bodys: unknown key (did you mean bodies?)"},
+        Fault{"name: a\nname: b\n", "2: name is there twice"},
+        Fault{"bodies:\n - {name: a, shape: bxo, pose: [0, 0]}\n",
+              "2: bodies[0].shape: no shape is named bxo (did you mean box?)"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0],\n    params: {lenght: 1}}\n",
+              "3: bodies[0].params.lenght: unknown key (did you mean length?)"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0]}\n",
+              "2: bodies[0].pose: must be a list of 2 to 4 numbers"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, left]}\n",
+              "2: bodies[0].pose[1]: must be a number"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, .nan]}\n", "2: bodies[0].pose[1]: must be finite"},
+        Fault{"bodies:\n - {name: a, pose: [0, 0]}\n", "2: bodies[0]: needs one of shape, mesh and parts"},
+        Fault{"bodies:\n - {name: a, shape: box}\n", "2: bodies[0]: needs pose, or motion with points"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0]}\n - {name: a, shape: box, pose: [9, 0]}\n",
+              "3: bodies[1]: two bodies are named a"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0], floats: true}\n",
+              "2: bodies[0].floats: the ground is no water"},
+        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0], material: {gloss: 2}}\n",
+              "2: bodies[0].material.gloss: 2 is outside [0, 1]"},
+        Fault{"bodies:\n - name: a\n   shape: box\n   motion: {points: [[0, 0], [1, 0], [1, 0]]}\n",
+              "4: bodies[0].motion.points: way-point 3 is at the place of the one before it and does not "
+              "differ in yaw"},
+        Fault{"bodies:\n - name: a\n   shape: box\n   motion: {points: [[0, 0], [1, 0]], speed: 0}\n",
+              "4: bodies[0].motion.speed: 0 must be above 0"},
+        Fault{"bodies: {}\n", "1: bodies: must be a list"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Rest, WorldFileFault,
+    testing::Values(
+        Fault{"ground: {kind: plane, waves: []}\n", "1: ground.waves: unknown key"},
+        Fault{"ground: {kind: lava}\n", "1: ground.kind: 'lava' is none of none, plane, rough, water"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, rate: 0}]}\n",
+              "1: robot.mounts[0].rate: 0 must be above 0"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, gyro_nose: 1}]}\n",
+              "1: robot.mounts[0].gyro_nose: no parameter of imu_a (did you mean gyro_noise?)"},
+        Fault{"robot:\n pose: [0, 0]\n mounts:\n  - {name: a, model: imu_a}\n  - {name: a, model: scan_b}\n",
+              "5: robot.mounts[1]: two sensors are named a"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0]}]}\n",
+              "1: robot.mounts[0].pose: must be a list of 3 to 6 numbers"},
+        Fault{
+            "bodies:\n - {name: wall, shape: box, pose: [1, 0]}\nrobot: {pose: [0, 0],\n  mounts: [{name: a, "
+            "model: imu_a, pose: [0.7, 0, 0.5]}]}\n",
+            "3: robot: the sensor a is inside the body wall at the start"},
+        Fault{"bodies:\n - {name: wall, shape: sphere, pose: [0, 0, -0.3, 0]}\nrobot: {pose: [0, 0]}\n",
+              "3: robot: the robot is inside the body wall at the start"},
+        Fault{
+            "ground: {kind: rough, half_extent: 20}\nrobot: {motion: {points: [[0, 0], [19, 0], [25, 0]]}}\n",
+            "2: robot.motion.points: leaves the ground, which ends 20 m from the origin"},
+        Fault{"robot: {pose: [0, 0], motion: {points: [[1, 1]]}}\n",
+              "1: robot.motion.points: has the place in pose too"},
+        Fault{"robot: {pose: [0, 0], motion: {shake: sea}}\n",
+              "1: robot.motion.shake: 'sea' is none of gait, waves, road"},
+        Fault{"dimensions: [{name: d, from: [0, 0, 0], to: [0, 0, 0]}]\n",
+              "1: dimensions[0]: both ends are at one place"},
+        Fault{"name: [a\n", "2: end of sequence flow not found"}));
+
+TEST_F(WorldFile, MissingMeshAndNegativeSizeAreNamed) {
+  const std::string mesh = fault("bodies:\n - {name: a, mesh: hull.obj, pose: [0, 0]}\n");
+  EXPECT_EQ(mesh.rfind("2: bodies[0].mesh: ", 0), 0u) << mesh;
+  EXPECT_NE(mesh.find("hull.obj"), std::string::npos) << mesh;
+  const std::string size = fault("bodies:\n - {name: a, shape: box, pose: [0, 0], params: {width: -1}}\n");
+  EXPECT_EQ(size.rfind("2: bodies[0].params: ", 0), 0u) << size;
+  EXPECT_NE(size.find("width"), std::string::npos) << size;
+}
+
+TEST_F(WorldFile, AnUnknownSensorIsNamedWithTheNearest) {
+  const std::string says = fault("robot: {pose: [0, 0], mounts: [{name: a, model: imu_b}]}\n");
+  EXPECT_EQ(says.rfind("1: robot.mounts[0].model: no sensor imu_b in ", 0), 0u) << says;
+  EXPECT_NE(says.find("(did you mean imu_a?)"), std::string::npos) << says;
+}
+
+TEST_F(WorldFile, AnOverrideOutOfRangeOrOfAnotherTypeIsNamed) {
+  for (const char* value : {"-1.0", "much"}) {
+    const std::string mount = std::string("{name: a, model: imu_a, gyro_noise: ") + value + "}";
+    std::string says;
+    try {
+      load("robot: {pose: [0, 0], mounts: [" + mount + "]}\n");
+    } catch (const std::runtime_error& fault) {
+      says = fault.what();
+    }
+    EXPECT_NE(says.find("w.yaml:1: robot.mounts[0]: "), std::string::npos) << says;
+    EXPECT_NE(says.find("gyro_noise"), std::string::npos) << says;
+  }
+}
+
+TEST_F(WorldFile, ARobotAmongBodiesButInNoneIsFree) {
+  EXPECT_EQ(fault(std::string("bodies:\n - {name: wall, shape: box, pose: [0.6, 0]}\n") + kRobot), "");
+}
+
+TEST_F(WorldFile, AFileThatIsNotThereIsNamed) {
+  try {
+    loadWorld("/nowhere/at_all.yaml");
+    FAIL();
+  } catch (const std::runtime_error& fault) {
+    EXPECT_STREQ(fault.what(), "/nowhere/at_all.yaml: cannot be read");
+  }
+}
+
+}  // namespace
+}  // namespace field_fusion::core::sim
