@@ -8,6 +8,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostWaves = 32;  // that Caster takes
+
 Wave readWave(const Yaml& yaml) {
   yaml.onlyKeys({"amplitude", "length", "heading_deg", "phase_deg"});
   Wave wave;
@@ -50,6 +52,7 @@ Ground readGround(const Yaml& yaml) {
   if (yaml.has("seed")) ground.seed = static_cast<unsigned>(yaml["seed"].whole(0, 1000000000));
   if (yaml.has("waves"))
     for (const Yaml& wave : yaml["waves"].list()) ground.waves.push_back(readWave(wave));
+  if (ground.waves.size() > kMostWaves) yaml["waves"].fail("must not be more than 32");
   if (yaml.has("material")) readMaterial(yaml["material"], ground.material);
   return ground;
 }
