@@ -118,6 +118,7 @@ void BeamCaster::castRims(const Scan& scan, std::size_t first, std::size_t last)
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   std::vector<std::size_t> beams;  // that wait for their rims
+  rays.reserve(kBatch + kRims), hits.reserve(kBatch + kRims), beams.reserve(kBatch / kRims + 1);
   const auto flush = [&] {
     hits.resize(rays.size());
     scan.caster.cast(rays.data(), hits.data(), rays.size());
