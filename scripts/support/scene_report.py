@@ -19,7 +19,6 @@ import numpy
 LIDAR, CAMERA, BOTH = 1, 2, 3  # Obstacle.SOURCE_*
 SECTOR, REACH = math.radians(60.0), 80.0  # rad, m: filter in config/robots/usv.yaml
 MIN_RETURNS = 10  # that the LiDAR needs to have got from a body: cluster's min_points
-MIN_VISIBLE = 0.5  # share of a body that the camera needs to see
 SLACK = math.radians(1.0)  # by which a body may stand beside its box in the picture: the two sensors are not at one place
 ROW = numpy.dtype([("x", "f4"), ("y", "f4"), ("z", "f4"), ("body", "i4"), ("range", "f4")])  # truth/<lidar>/points
 MAX_GAP = 1.0  # m between a body and what is taken for it
@@ -74,7 +73,7 @@ def seen_bodies(rows, labels, detections):
         low, high = hits.min(axis=0), hits.max(axis=0)
         middle = (low + high) / 2
         azimuth = math.atan2(middle[1], middle[0])
-        pictured = any(d.label == label and d.score >= MIN_VISIBLE
+        pictured = any(d.label == label
                        and bearing(d.ray_max) - SLACK <= azimuth <= bearing(d.ray_min) + SLACK for d in detections)
         bodies.append(SimpleNamespace(
             id=number, label=label, azimuth=azimuth,
