@@ -19,8 +19,7 @@ import numpy
 LIDAR, CAMERA, BOTH = 1, 2, 3  # Obstacle.SOURCE_*
 SECTOR, REACH = math.radians(60.0), 80.0  # rad, m: filter in config/robots/usv.yaml
 MIN_RETURNS = 10  # that the LiDAR needs to have got from a body: cluster's min_points
-MIN_VISIBLE = 0.5  # share of a body that the camera needs to see
-SAME_BEARING = math.radians(3.0)  # between a body and its box in the picture
+SLACK = math.radians(1.0)  # by which a body may stand beside its box in the picture: the two sensors are not at one place
 ROW = numpy.dtype([("x", "f4"), ("y", "f4"), ("z", "f4"), ("body", "i4"), ("range", "f4")])  # truth/<lidar>/points
 MAX_GAP = 1.0  # m between a body and what is taken for it
 
@@ -55,6 +54,11 @@ def pairs(bodies, obstacles):
     return [(body, found.get(i)) for i, body in enumerate(wanted)]
 
 
+def bearing(ray):
+    """[rad] of a ray in the optical frame, left is positive."""
+    return math.atan2(-ray.x, ray.z)
+
+
 def seen_bodies(rows, labels, detections):
     """Of each labelled body that the LiDAR hit: where its hits are, and which sensors see it."""
     places = numpy.stack([rows[axis] for axis in "xyz"], axis=1).astype(float)
@@ -69,8 +73,8 @@ def seen_bodies(rows, labels, detections):
         low, high = hits.min(axis=0), hits.max(axis=0)
         middle = (low + high) / 2
         azimuth = math.atan2(middle[1], middle[0])
-        pictured = any(d.label == label and d.score >= MIN_VISIBLE
-                       and abs(math.remainder(d.azimuth - azimuth, math.tau)) < SAME_BEARING for d in detections)
+        pictured = any(d.label == label
+                       and bearing(d.ray_max) - SLACK <= azimuth <= bearing(d.ray_min) + SLACK for d in detections)
         bodies.append(SimpleNamespace(
             id=number, label=label, azimuth=azimuth,
             source=(LIDAR if len(hits) >= MIN_RETURNS else 0) | (CAMERA if pictured else 0),

@@ -9,7 +9,7 @@ from ros_session import RosSession
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VIEWS = {"usv_harbour": (32, 0.5), "usv_cages": (13, 0.5), "quad_corridor": (12, 1.15), "office": (26, 0.9)}
-USUAL = (9, 0.8)  # m from the robot, rad above the horizon
+USUAL = (10, 0.8)  # m from the robot, rad above the horizon
 SETTLED = 12.0  # s until RViz has drawn all
 
 

@@ -49,7 +49,8 @@ def rows(*hits):
 
 def test_a_body_is_what_the_lidar_truly_hit_of_it():
     hits = [(10, 0.1 * i, 3) for i in range(11)] + [(20, 0, 4)] * 9 + [(5, 0, -2)] * 20
-    seen = SimpleNamespace(label="buoy", score=1.0, azimuth=math.atan2(0.5, 10))
+    left, right = SimpleNamespace(x=-1, z=10), SimpleNamespace(x=0, z=10)  # optical frame: x is to the right
+    seen = SimpleNamespace(label="buoy", score=1.0, ray_min=left, ray_max=right)
     cage, boat = scene_report.seen_bodies(rows(*hits), {3: "buoy", 4: "boat", 5: ""}, [seen])
     assert (cage.id, cage.label, cage.source, boat.source) == (3, "buoy", 3, 0)
     assert (cage.position.x, cage.position.y, cage.size.x, cage.size.y) == pytest.approx((10, 0.5, 0, 1), abs=1e-5)
