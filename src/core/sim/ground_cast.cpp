@@ -11,6 +11,7 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostFours = 8;
 constexpr double kEnough = 1e-6;  // relative: the next step would be its square
+constexpr double kGrazing = 0.05;
 constexpr double kHorizon = 2e4;  // [m] no sensor sees water from farther
 
 /// To within half a turn of 0; the large number makes the sum lose what is behind the point.
@@ -18,6 +19,16 @@ Eigen::Array4f reduced(const Eigen::Array4d& phase) {
   constexpr double kTurn = 2 * 3.14159265358979323846, kRound = 6755399441055744.0;
   const Eigen::Array4d turns = (phase * (1.0 / kTurn) + kRound) - kRound;
   return (phase - turns * kTurn).cast<float>();
+}
+
+struct Sines {
+  Eigen::Array4d sine, cosine;
+};
+
+Sines quickSines(const Eigen::Array4d& phase) {
+  const Eigen::Array4f rest = reduced(phase);
+  const Eigen::Array4f sine = rest.sin(), cosine = rest.cos();  // four at once: a cast inside would end that
+  return {sine.cast<double>(), cosine.cast<double>()};
 }
 
 double rangeToPlane(const Line& line, const Eigen::Vector2d& slope) {
@@ -49,14 +60,15 @@ struct Water::Along {
                    w.amplitude};
     }
   }
-  Slope at(double t) const {
+  /// `fine`: sines in double precision, ten times slower.
+  Slope at(double t, bool fine = false) const {
     Slope out{line.origin.z() + t * line.direction.z(), line.direction.z()};
     for (std::size_t i = 0; i < count; ++i) {
       const Phases& w = phases[i];
-      const Eigen::Array4f phase = reduced(w.start + t * w.rate);
-      const Eigen::Array4f cosine = phase.cos(), sine = phase.sin();  // by four: a cast inside would end that
-      out.value -= (w.amplitude * cosine.cast<double>()).sum();
-      out.rate += (w.amplitude * w.rate * sine.cast<double>()).sum();
+      const Eigen::Array4d phase = w.start + t * w.rate;
+      const Sines s = fine ? Sines{phase.sin(), phase.cos()} : quickSines(phase);
+      out.value -= (w.amplitude * s.cosine).sum();
+      out.rate += (w.amplitude * w.rate * s.sine).sum();
     }
     return out;
   }
@@ -91,14 +103,17 @@ Span Water::bounds(const Line& line) const {
   return {inside.enter, inside.enter > 0.0 ? inside.leave : kFar};
 }
 
-/// Newton's steps to the one place where the line meets the water, from near it.
+/// Newton's steps to the one place where the line meets the water, from near it. Where it meets it at a
+/// grazing angle, an error of the sines would move that place far.
 double Water::polish(const Along& along, double t, double bend) {
+  bool fine = false;
   for (int i = 0; i < 20; ++i) {
-    const Along::Slope f = along.at(t);
+    const Along::Slope f = along.at(t, fine);
     const double step = -f.value / f.rate;
     t += step;
-    if (bend * step * step < std::abs(f.rate) * kEnough * (1.0 + t))
-      return t;  // what is left is half of that
+    if (bend * step * step > std::abs(f.rate) * kEnough * (1.0 + t)) continue;  // twice what is left
+    if (fine || std::abs(f.rate) > kGrazing) return t;
+    fine = true;
   }
   return t;
 }

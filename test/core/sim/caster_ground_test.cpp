@@ -12,11 +12,19 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-Ray randomRay(std::mt19937& random, double around, double height) {
+/// In a vector, because GCC 12 leaves out the rounding to float of a ray whose making and use it sees at
+/// once.
+std::vector<Ray> randomRays(std::size_t count, unsigned seed, double around, double height) {
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const Vector3d from(around + 20 * unit(random), around + 20 * unit(random), height);
-  return {from.cast<float>(),
-          Vector3d(unit(random), unit(random), 0.5 * unit(random) - 0.3).normalized().cast<float>()};
+  std::vector<Ray> rays;
+  while (rays.size() < count) {
+    const double x = around + 20 * unit(random), y = around + 20 * unit(random);
+    const double ahead = unit(random), left = unit(random), up = 0.5 * unit(random) - 0.3;
+    rays.push_back(
+        {Vector3d(x, y, height).cast<float>(), Vector3d(ahead, left, up).normalized().cast<float>()});
+  }
+  return rays;
 }
 
 /// Where the height above the ground first changes its sign, by small steps and then halving.
@@ -44,11 +52,9 @@ TEST_P(NearAndFarGround, SlopedPlaneIsWhereTheFormulaSays) {
   World world;
   world.ground.slope = {0.05, -0.02};
   const Caster caster(world);
-  std::mt19937 random(4);
+  const double height = world.ground.height(GetParam(), GetParam(), 0) + 3;
   int met = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const double height = world.ground.height(GetParam(), GetParam(), 0) + 3;
-    const Ray ray = randomRay(random, GetParam(), height);
+  for (const Ray& ray : randomRays(2000, 4, GetParam(), height)) {
     const Vector3d o = ray.origin.cast<double>(), d = ray.direction.cast<double>();
     const double range =
         (world.ground.height(o.x(), o.y(), 0) - o.z()) / (d.z() - world.ground.slope.dot(d.head<2>()));
@@ -78,10 +84,9 @@ TEST_P(NearAndFarGround, WaterIsWhereItsHeightIs) {
   const World world = sea();
   Caster caster(world);
   caster.setWindow(30.0, 30.2);
-  std::mt19937 random(6);
+  std::vector<Ray> rays = randomRays(1000, 6, GetParam(), 1.2);
   int met = 0;
-  for (int i = 0; i < 300; ++i) {
-    Ray ray = randomRay(random, GetParam(), 1.2);
+  for (Ray& ray : rays) {
     ray.time = 0.5f;
     const double range = slowRange(world.ground, ray, 30.1);
     const Hit hit = caster.cast(ray);
@@ -93,7 +98,7 @@ TEST_P(NearAndFarGround, WaterIsWhereItsHeightIs) {
     EXPECT_EQ(hit.body, Hit::kGround);
     EXPECT_NEAR(hit.range, range, 1e-5 * range + 2e-6);
   }
-  EXPECT_GT(met, 150);
+  EXPECT_GT(met, 500);
 }
 
 INSTANTIATE_TEST_SUITE_P(CasterGround, NearAndFarGround, testing::Values(0.0, 1000.0));
@@ -102,9 +107,7 @@ TEST(CasterGround, WaterLeansAsItsHeightSays) {
   const World world = sea();
   Caster caster(world);
   caster.setWindow(7.0, 7.0);
-  std::mt19937 random(8);
-  for (int i = 0; i < 100; ++i) {
-    const Ray ray = randomRay(random, 0.0, 1.2);
+  for (const Ray& ray : randomRays(100, 8, 0.0, 1.2)) {
     const Hit hit = caster.cast({ray.origin, {0, 0, -1}});
     const double x = ray.origin.x(), y = ray.origin.y(), e = 1e-4;
     const auto h = [&](double dx, double dy) { return world.ground.height(x + dx, y + dy, 7.0); };
