@@ -31,7 +31,7 @@ void checkLinks(const Model& model) {
 }  // namespace
 
 Affine Instance::worldToLink(float time) const {
-  if (T_world_link.empty()) return T_link_world;
+  if (T_world_link.empty() || frozen) return T_link_world;
   const auto last = static_cast<float>(T_world_link.size() - 1);
   const float at = std::clamp(time, 0.f, 1.f) * last;
   const float before = std::min(std::floor(at), last - 1.f);
@@ -108,6 +108,8 @@ bool Instances::setWindow(double begin, double end) {
       instance.T_world_link[i] = Affine(bodies[i] * model.linkPose(instance.place, time));
       place(instance.geometry, i, instance.T_world_link[i]);
     }
+    instance.frozen = begin == end;
+    if (instance.frozen) instance.T_link_world = instance.T_world_link[0].inverse();
     known = instance.body;
     rtcCommitGeometry(instance.geometry);
     moved = true;

@@ -16,8 +16,10 @@ struct Instance {
   std::size_t place;                 ///< of the link in its model
   RTCScene scene;                    ///< of the link alone
   RTCGeometry geometry;              ///< the scene owns it
-  Affine T_link_world;               ///< of one that stands still
+  Affine T_link_world;               ///< of one that stands still or is frozen
   std::vector<Affine> T_world_link;  ///< at even instants of the window; empty: stands still
+
+  bool frozen = false;               ///< the window is an instant, as for a camera's global shutter
 
   /// As Embree sees it: between two instants the matrix is a straight mixture. `time` is 0..1.
   Affine worldToLink(float time) const;
