@@ -5,7 +5,6 @@
 
 #include "field_fusion/core/sim/colour_camera.h"
 #include "field_fusion/core/sim/image_encoding.h"
-#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/ros/detection.h"
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/sim_image.h"
@@ -96,10 +95,7 @@ class CameraSource : public SimSource {
 }  // namespace
 
 std::unique_ptr<SimSource> simColourCamera(const SimSetup& setup, const sim::Mount& mount) {
-  sim::CameraParams params;
-  core::Params declared = core::declarationOf(params);
-  sim::readSensorFile(setup.sensors + "/" + mount.model + ".yaml", mount.overrides, declared);
-  return std::make_unique<CameraSource>(setup, mount, params);
+  return std::make_unique<CameraSource>(setup, mount, sensorParamsOf<sim::CameraParams>(setup, mount));
 }
 
 }  // namespace field_fusion

@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/sim_image.h"
 #include "field_fusion/ros/sim_sensor.h"
@@ -67,8 +66,7 @@ class DepthSource : public SimSource {
 }  // namespace
 
 std::unique_ptr<SimSource> simDepthCamera(const SimSetup& setup, const sim::Mount& mount) {
-  const auto params = sim::sensorParams(setup.sensors, mount.model, mount.overrides);
-  return std::make_unique<DepthSource>(setup, mount, std::get<sim::DepthCameraParams>(params));
+  return std::make_unique<DepthSource>(setup, mount, sensorParamsOf<sim::DepthCameraParams>(setup, mount));
 }
 
 }  // namespace field_fusion

@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/ros/sim_sensor.h"
 
 namespace field_fusion {
@@ -108,13 +107,11 @@ class Lidar3dSource : public SimSource {
 }  // namespace
 
 std::unique_ptr<SimSource> simScanner2d(const SimSetup& setup, const sim::Mount& mount) {
-  const auto params = sim::sensorParams(setup.sensors, mount.model, mount.overrides);
-  return std::make_unique<Scanner2dSource>(setup, mount, std::get<sim::Scanner2dParams>(params));
+  return std::make_unique<Scanner2dSource>(setup, mount, sensorParamsOf<sim::Scanner2dParams>(setup, mount));
 }
 
 std::unique_ptr<SimSource> simLidar3d(const SimSetup& setup, const sim::Mount& mount) {
-  const auto params = sim::sensorParams(setup.sensors, mount.model, mount.overrides);
-  return std::make_unique<Lidar3dSource>(setup, mount, std::get<sim::Lidar3dParams>(params));
+  return std::make_unique<Lidar3dSource>(setup, mount, sensorParamsOf<sim::Lidar3dParams>(setup, mount));
 }
 
 }  // namespace field_fusion

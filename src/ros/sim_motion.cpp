@@ -5,7 +5,6 @@
 #include "field_fusion/core/sim/gnss.h"
 #include "field_fusion/core/sim/imu.h"
 #include "field_fusion/core/sim/odometry.h"
-#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/sim_sensor.h"
 
@@ -17,14 +16,6 @@ namespace sim = core::sim;
 constexpr double kEarthRadius = 6378137.0;                // m, WGS 84
 constexpr double kLatitude = 25.15, kLongitude = 121.78;  // deg of the world's origin, near Keelung
 constexpr double kUnknown = 1e6;                          // variance of what an odometry does not measure
-
-template <class P>
-P paramsOf(const SimSetup& setup, const sim::Mount& mount) {
-  P params;
-  core::Params declared = core::declarationOf(params);
-  sim::readSensorFile(setup.sensors + "/" + mount.model + ".yaml", mount.overrides, declared);
-  return params;
-}
 
 void set(geometry_msgs::Vector3& out, const Eigen::Vector3d& v) { tf2::toMsg(v, out); }
 
@@ -119,20 +110,20 @@ class OdometrySource : public SimSource {
 }  // namespace
 
 std::unique_ptr<SimSource> simImu(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<ImuSource>(setup, mount, paramsOf<sim::ImuParams>(setup, mount));
+  return std::make_unique<ImuSource>(setup, mount, sensorParamsOf<sim::ImuParams>(setup, mount));
 }
 
 std::unique_ptr<SimSource> simGnss(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<GnssSource>(setup, mount, paramsOf<sim::GnssParams>(setup, mount));
+  return std::make_unique<GnssSource>(setup, mount, sensorParamsOf<sim::GnssParams>(setup, mount));
 }
 
 std::unique_ptr<SimSource> simWheelOdometry(const SimSetup& setup, const sim::Mount& mount, bool tf) {
-  const auto params = paramsOf<sim::WheelOdometryParams>(setup, mount);
+  const auto params = sensorParamsOf<sim::WheelOdometryParams>(setup, mount);
   return std::make_unique<OdometrySource<sim::WheelOdometry>>(setup, mount, params, tf);
 }
 
 std::unique_ptr<SimSource> simLegOdometry(const SimSetup& setup, const sim::Mount& mount, bool tf) {
-  const auto params = paramsOf<sim::LegOdometryParams>(setup, mount);
+  const auto params = sensorParamsOf<sim::LegOdometryParams>(setup, mount);
   return std::make_unique<OdometrySource<sim::LegOdometry>>(setup, mount, params, tf);
 }
 

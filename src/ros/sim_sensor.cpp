@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "field_fusion/core/sim/beam_random.h"
-#include "field_fusion/core/sim/sensor_models.h"
 
 namespace field_fusion {
 

@@ -6,6 +6,7 @@
 
 #include "field_fusion/core/sim/caster.h"
 #include "field_fusion/core/sim/pose_track.h"
+#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/ros/sim_output.h"
 #include "field_fusion/ros/sim_params.h"
 
@@ -20,6 +21,11 @@ struct SimSetup {
 
   std::uint64_t seedOf(const std::string& what) const;
 };
+
+template <class P>
+P sensorParamsOf(const SimSetup& setup, const core::sim::Mount& mount) {
+  return core::sim::readSensor<P>(setup.sensors, mount.model, mount.overrides);
+}
 
 /// Something that gives out messages at a steady rate.
 class SimSource {

@@ -61,10 +61,6 @@ void setFromFile(const std::string& file, const YAML::Node& root, const Params& 
     if (!seen.count(param.name)) Source{file}.fail(param.name + " is missing");
 }
 
-std::string fileOf(const std::string& folder, const std::string& model) {
-  return (std::filesystem::path(folder) / (model + ".yaml")).string();
-}
-
 std::size_t kindIn(const std::string& file) {
   const YAML::Node root = load(file), kind = root["kind"];
   if (!kind) Source{file}.fail("kind is missing");
@@ -75,18 +71,14 @@ std::size_t kindIn(const std::string& file) {
   return static_cast<std::size_t>(it - kKinds.begin());
 }
 
-template <class P>
-SensorParams read(const std::string& file, const Overrides& overrides) {
-  P params;
-  Params declared = declarationOf(params);
-  readSensorFile(file, overrides, declared);
-  return params;
-}
-
 }  // namespace
 
+std::string sensorFile(const std::string& folder, const std::string& model) {
+  return (std::filesystem::path(folder) / (model + ".yaml")).string();
+}
+
 std::string sensorKind(const std::string& folder, const std::string& model) {
-  const std::string file = fileOf(folder, model);
+  const std::string file = sensorFile(folder, model);
   const YAML::Node root = load(file), kind = root["kind"];
   if (!kind || !kind.IsScalar()) Source{file}.fail("kind is missing");
   return kind.Scalar();
@@ -104,16 +96,15 @@ void readSensorFile(const std::string& file, const Overrides& overrides, Params&
 }
 
 SensorParams sensorParams(const std::string& folder, const std::string& model, const Overrides& overrides) {
-  const std::string file = fileOf(folder, model);
-  switch (static_cast<SensorKind>(kindIn(file))) {
+  switch (static_cast<SensorKind>(kindIn(sensorFile(folder, model)))) {
     case SensorKind::kScanner2d:
-      return read<Scanner2dParams>(file, overrides);
+      return readSensor<Scanner2dParams>(folder, model, overrides);
     case SensorKind::kLidar3d:
-      return read<Lidar3dParams>(file, overrides);
+      return readSensor<Lidar3dParams>(folder, model, overrides);
     case SensorKind::kDepthCamera:
       break;
   }
-  return read<DepthCameraParams>(file, overrides);
+  return readSensor<DepthCameraParams>(folder, model, overrides);
 }
 
 namespace {

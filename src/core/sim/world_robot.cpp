@@ -23,22 +23,22 @@ std::vector<std::string> modelsIn(const std::string& folder) {
   return out;
 }
 
-template <class P>
-void checkParams(const std::string& file, const Overrides& overrides) {
-  P params;
-  Params declared = declarationOf(params);
-  readSensorFile(file, overrides, declared);
-}
-
 /// Throws what its reader throws.
 void checkSensor(const std::string& folder, const Mount& mount, const std::string& kind) {
-  const std::string file = (fs::path(folder) / (mount.model + ".yaml")).string();
-  if (kind == "imu") return checkParams<ImuParams>(file, mount.overrides);
-  if (kind == "gnss") return checkParams<GnssParams>(file, mount.overrides);
-  if (kind == "wheel_odometry") return checkParams<WheelOdometryParams>(file, mount.overrides);
-  if (kind == "leg_odometry") return checkParams<LegOdometryParams>(file, mount.overrides);
-  if (kind == "camera") return checkParams<CameraParams>(file, mount.overrides);
-  sensorParams(folder, mount.model, mount.overrides);
+  const std::string& model = mount.model;
+  const Overrides& overrides = mount.overrides;
+  if (kind == "imu")
+    readSensor<ImuParams>(folder, model, overrides);
+  else if (kind == "gnss")
+    readSensor<GnssParams>(folder, model, overrides);
+  else if (kind == "wheel_odometry")
+    readSensor<WheelOdometryParams>(folder, model, overrides);
+  else if (kind == "leg_odometry")
+    readSensor<LegOdometryParams>(folder, model, overrides);
+  else if (kind == "camera")
+    readSensor<CameraParams>(folder, model, overrides);
+  else
+    sensorParams(folder, model, overrides);
 }
 
 Mount readMount(const Yaml& yaml, const std::string& sensors) {

@@ -24,6 +24,18 @@ using Overrides = std::map<std::string, std::string>;
 /// or out of its range, or a rule that is broken. The key `kind` is passed over.
 void readSensorFile(const std::string& file, const Overrides& overrides, Params& declared);
 
+/// The file of a model: FOLDER/MODEL.yaml.
+std::string sensorFile(const std::string& folder, const std::string& model);
+
+/// The parameters of a model whose kind is known. Throws as readSensorFile.
+template <class P>
+P readSensor(const std::string& folder, const std::string& model, const Overrides& overrides) {
+  P params;
+  Params declared = declarationOf(params);
+  readSensorFile(sensorFile(folder, model), overrides, declared);
+  return params;
+}
+
 /// What FOLDER/MODEL.yaml says it is, other kinds than SensorKind too. Throws where it says nothing.
 std::string sensorKind(const std::string& folder, const std::string& model);
 
