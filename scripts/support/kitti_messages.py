@@ -5,6 +5,7 @@ import numpy
 
 from body_score import Shape
 from kitti_labels import box_range
+from poses import vector
 
 
 def xyz(cloud):
@@ -14,10 +15,6 @@ def xyz(cloud):
                           "offsets": [offsets[axis] for axis in "xyz"], "itemsize": cloud.point_step})
     points = numpy.frombuffer(cloud.data, layout, cloud.width * cloud.height)
     return numpy.stack([points[axis] for axis in "xyz"], axis=1)
-
-
-def vector(message):
-    return numpy.array([message.x, message.y, message.z])
 
 
 class Clusters:
