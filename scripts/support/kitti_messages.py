@@ -50,7 +50,7 @@ def lidar_points(obstacle, obstacles, clusters):
     has those in its box."""
     if obstacle.cluster_id < 0:
         return None
-    points = clusters.arrays[obstacle.cluster_id]
+    points = numpy.concatenate([clusters.arrays[place] for place in (obstacle.cluster_id, *obstacle.joined_clusters)])
     if shares_cluster(obstacle, obstacles):
         inside = numpy.abs(points - vector(obstacle.position)) <= vector(obstacle.size) / 2 + 1e-3
         points = points[inside.all(axis=1)]

@@ -8,6 +8,10 @@ def vector(message):
     return numpy.array([message.x, message.y, message.z])
 
 
+def length(message):
+    return float(numpy.linalg.norm(vector(message)))
+
+
 def matrix(position, q):
     """Of a position and a unit quaternion, messages."""
     x, y, z, w = q.x, q.y, q.z, q.w

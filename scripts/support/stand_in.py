@@ -4,7 +4,7 @@ import math
 
 SCORE = 0.9
 LEAST_VISIBLE, SMALLEST = 0.3, 4.0  # share of the body, px: a detector sees less of nothing
-EDGE_ERROR, SPREAD = 1.5, 0.1  # px, -: box_pixel_error and height_spread of `detect`
+EDGE_ERROR, SPREAD, SPREADS = 1.5, 0.1, {"boat": 0.6}  # px, -, -: box_pixel_error, height_spread, class_height_spreads of `detect`
 CUT_TOP, CUT_BOTTOM = 2, 8  # ImageDetection.CUT_*
 
 
@@ -23,7 +23,7 @@ def seen(truth, info, heights):
         if body.label in heights and not body.cut & (CUT_TOP | CUT_BOTTOM):
             body.depth = info.K[4] * heights[body.label] / high
             body.range = body.depth / body.ray.z
-            body.range_sigma = body.range * math.hypot(math.sqrt(2.0) * EDGE_ERROR / high, SPREAD)
+            body.range_sigma = body.range * math.hypot(math.sqrt(2.0) * EDGE_ERROR / high, SPREADS.get(body.label, SPREAD))
             body.range_source = body.RANGE_FROM_HEIGHT
         out.detections.append(body)
     return out

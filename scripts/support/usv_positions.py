@@ -54,12 +54,32 @@ def table_world(place, seed):
     return {**world, "name": f"cage_{place}"}
 
 
+FAR = 30  # places
+NEAREST, FARTHEST, ASIDE = 2.0, 30.0, 45.0  # m to the near face, deg to both sides
+CAGE = {"name": "cage", "label": "cage", "shape": "cage", "params": {"diameter": 2.0}, "floats": True}
+
+
+def far_world(place, seed):
+    """The vessel and the waves of usv_harbour, and one cage of 2 m; it lies turned as drawn. Places are spread evenly
+    over ranges and, by the golden section, over angles."""
+    world = sim_world.shipped("usv_harbour")
+    share = (place + 0.5) / FAR
+    away = NEAREST + share * (FARTHEST - NEAREST) + CAGE["params"]["diameter"] / 2
+    aside = math.radians(ASIDE * (2.0 * math.fmod(place * 0.6180339887, 1.0) - 1.0))
+    lidar = next(mount["pose"] for mount in world["robot"]["mounts"] if mount["name"] == "lidar")
+    yaw = random.Random(f"far {place} {seed}").uniform(-180.0, 180.0)
+    robot = {**world["robot"], "pose": [0, 0, 0]}
+    del robot["motion"]
+    cage = {**CAGE, "pose": [lidar[0] + away * math.cos(aside), lidar[1] + away * math.sin(aside), 0, yaw]}
+    return {**world, "name": f"far_{place:02}", "bodies": [cage], "robot": robot}
+
+
 def measured(answer):
     body = next(body for body in answer.frame.bodies.values() if body.label == "cage")
     face, (centre, azimuth, _) = outline.face_range(body), poses.polar(outline.middle(body))
     ours, papers = (found(answer, method) for method in ("optimal", "paper"))
     nothing = (math.nan,) * 3
-    near, far, angle = (ours[1].nearest_range, ours[0].range, ours[0].azimuth) if ours else nothing
+    near, far, angle = (poses.length(ours[0].face), ours[0].range, ours[0].azimuth) if ours else nothing
     paper, paper_angle = (papers[1].range, papers[1].azimuth) if papers else nothing[:2]
     turn = lambda a: math.remainder(a - azimuth, math.tau)
     return (face, centre, azimuth), Errors(near - face, far - centre, turn(angle), paper - face, turn(paper_angle))
@@ -85,22 +105,38 @@ def row(place, seed, answers):
                Errors(*map(median, zip(*errors))))
 
 
-def run(experiment, methods, heights):
-    stages = Stages(experiment.session, experiment.folder, methods, {}, experiment.given.model, heights)
+class Part(typing.NamedTuple):
+    name: str
+    places: tuple
+    quick: tuple
+    world: object  # of (place, seed)
+    cage: dict  # what the user knows of it [m]: diameter, net, height
+
+
+TABLE = Part("table1", tuple(name for name, *_ in PAPER), QUICK, table_world, {"diameter": 0.5, "net": 0.31, "height": 0.8})
+FURTHER = Part("far", tuple(range(FAR)), (2, 9, 16, 23, 29), far_world, {"diameter": 2.0, "net": 1.36, "height": 1.0})
+
+
+def run(experiment, methods, part):
+    sizes = {"class_diameters": {"cage": part.cage["diameter"]}, "class_nets": {"cage": part.cage["net"]}}
+    heights = {"cage": part.cage["height"]}
+    changes = {"match": sizes, "detect": {"class_heights": heights}}
+    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model, heights)
     rows = []
     for seed in experiment.seeds:
-        for place in QUICK if experiment.quick else [name for name, *_ in PAPER]:
-            bag = experiment.bag(table_world(place, seed), SECONDS, seed)
+        for place in part.quick if experiment.quick else part.places:
+            bag = experiment.bag(part.world(place, seed), SECONDS, seed)
             rows.append(row(place, seed, stages.play(bag)))
             experiment.done(bag)
-            print(place, seed, rows[-1].truth, rows[-1].errors, flush=True)
+            r=rows[-1]
+            print(place, seed, r.frames, r.found, ["%.3f"%v for v in r.truth], ["%+.3f"%v for v in r.errors[:2]], "%.3f deg"%math.degrees(r.errors[2]), flush=True)
     stages.close()
-    return report(rows)
+    return report(rows, part)
 
 
-def report(rows):
+def report(rows, part):
     for name, unit, pick in (("face", "m", lambda e: e.face), ("centre", "m", lambda e: e.centre),
                              ("angle", "deg", lambda e: math.degrees(e.angle)),
                              ("paper_distance", "m", lambda e: e.paper_distance),
                              ("paper_angle", "deg", lambda e: math.degrees(e.paper_angle))):
-        yield figures.mean(f"usv/table1/{name}_mae", [abs(pick(row.errors)) for row in rows], unit)
+        yield figures.mean(f"usv/{part.name}/{name}_mae", [abs(pick(row.errors)) for row in rows], unit)
