@@ -1,6 +1,6 @@
 # Messages, the ROS layer, the nodelets and the tools.
 find_package(catkin REQUIRED COMPONENTS
-  cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
+  camera_info_manager cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
   message_filters message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs roslib sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
   visualization_msgs)
 
