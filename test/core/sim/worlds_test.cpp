@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/core/sim/truth.h"
 
 namespace field_fusion::core::sim {
@@ -82,6 +83,27 @@ TEST_P(Worlds, HaveTheSizesThatTheirPapersFix) {
       EXPECT_NEAR(ratio, 1.0, 1e-6) << nominal.bodies[i].name;
     else
       EXPECT_TRUE(ratio != 1.0 && std::abs(ratio - 1.0) < 0.1) << nominal.bodies[i].name << " " << ratio;
+  }
+}
+
+/// Paper 001, section VII-A; the scanner triggers the camera.
+TEST(UsvWorlds, CarryTheSensorsOfThePaper) {
+  for (const char* name : {"usv_cages", "usv_harbour"}) {
+    std::map<std::string, std::string> models;
+    std::map<std::string, double> rates;
+    for (const Mount& mount : shipped(name).robot.mounts) {
+      models[mount.name] = mount.model;
+      rates[mount.name] =
+          std::visit([](const auto& p) { return p.rate; },
+                     sensorParams(PROJECT_DIR "/config/sensors", mount.model, mount.overrides));
+    }
+    EXPECT_EQ(models["lidar"], "helios16");
+    EXPECT_EQ(models["camera"], "xfk_4k415");
+    EXPECT_EQ(rates["lidar"], 10.0);
+    EXPECT_EQ(rates["camera"], rates["lidar"]);
+    if (std::string(name) == "usv_cages") continue;  // it stands on land
+    EXPECT_EQ(rates["imu"], 200.0);
+    EXPECT_EQ(models["gnss"], "gnss");
   }
 }
 
