@@ -7,7 +7,6 @@ import numpy
 import pytest
 import rosbag
 import yaml
-from geometry_msgs.msg import Quaternion, Transform, Vector3
 
 from conftest import ROOT, rosrun
 from ros_session import RosSession
@@ -57,6 +56,13 @@ def joints(text):
     return found
 
 
+def static_transforms(bag_file):
+    """{(parent, child): where} of the one message on /tf_static."""
+    with rosbag.Bag(str(bag_file)) as bag:
+        (message,) = (m for _, m, _ in bag.read_messages(topics="/tf_static"))
+    return {(t.header.frame_id, t.child_frame_id): of_message(t.transform) for t in message.transforms}
+
+
 def same(a, b):
     assert set(a) == set(b)
     for name in a:
@@ -82,9 +88,7 @@ def test_joints_are_the_mounts_of_the_file(world):
 @pytest.mark.parametrize("world", ["usv_harbour", "quad_lab"])
 def test_joints_are_those_of_tf_static(world, tmp_path):
     assert rosrun("make_bag", world, tmp_path / "a.bag", "--seconds", "0.05").returncode == 0
-    with rosbag.Bag(str(tmp_path / "a.bag")) as bag:
-        (message,) = (m for _, m, _ in bag.read_messages(topics="/tf_static"))
-    same(joints(urdf(world)), {(t.header.frame_id, t.child_frame_id): of_message(t.transform) for t in message.transforms})
+    same(joints(urdf(world)), static_transforms(tmp_path / "a.bag"))
 
 
 @pytest.mark.parametrize("world", WORLDS)
@@ -99,36 +103,15 @@ def test_a_world_that_is_not_there_is_named():
     assert done.returncode != 0 and "no world nowhere" in done.stderr and done.stdout == ""
 
 
-# Prints what /tf_static says once both sensors with a place are known.
-LISTEN = """
-import sys, rospy, tf2_msgs.msg
-rospy.init_node("listener")
-known = {}
-def keep(message):
-    known.update({(t.header.frame_id, t.child_frame_id): t.transform for t in message.transforms})
-rospy.Subscriber("/tf_static", tf2_msgs.msg.TFMessage, keep)
-while len(known) < int(sys.argv[1]) and not rospy.is_shutdown():
-    rospy.rostime.wallsleep(0.02)
-for (parent, child), t in sorted(known.items()):
-    q, p = t.rotation, t.translation
-    print(parent, child, *map(repr, (p.x, p.y, p.z, q.x, q.y, q.z, q.w)))
-"""
-
-
 @pytest.mark.parametrize("publisher", ["robot_state_publisher", "sim"])
 def test_live_tf_static_is_the_urdf(publisher, tmp_path):
-    wanted = joints(urdf("quad_lab"))
     with RosSession(tmp_path) as session:
         stages = session.launch("field_fusion", "sim.launch", "world:=quad_lab", "rviz:=false",
                                 f"robot_state_publisher:={str(publisher != 'sim').lower()}")
-        listener = session.start("/usr/bin/python3", "-c", LISTEN, str(len(wanted)))
-        session.require(lambda: listener.poll() is not None, 120, "no /tf_static", stages)
-        speakers = dict(session.system_state()[0])["/tf_static"]
-    known = {}
-    for line in (tmp_path / "3_python3.log").read_text().splitlines():
-        parent, child, *values = line.split()
-        values = [float(value) for value in values]
-        known[parent, child] = of_message(Transform(Vector3(*values[:3]), Quaternion(*values[3:])))
-    same(known, wanted)
-    assert len(speakers) == 1 and (publisher == "sim") != ("robot_state_publisher" in speakers[0])
-
+        recorder = session.start("rosbag", "record", "--limit=1", "-O", str(tmp_path / "a.bag"), "/tf_static")
+        session.require(lambda: recorder.poll() is not None, 120, "no /tf_static", stages)
+        (speaker,) = dict(session.system_state()[0])["/tf_static"]
+        described = session.master.getParam("/test", "/robot_description")[2]
+    same(joints(urdf("quad_lab")), static_transforms(tmp_path / "a.bag"))
+    assert described == urdf("quad_lab")
+    assert ("robot_state_publisher" in speaker) == (publisher == "robot_state_publisher")

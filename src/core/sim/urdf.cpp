@@ -82,7 +82,7 @@ class Writer {
  private:
   template <class Vector>
   void numbers(const Vector& values) {
-    for (Eigen::Index i = 0; i < values.size(); ++i) out_ << (i ? " " : "") << values[i];
+    for (Eigen::Index i = 0; i < values.size(); ++i) out_ << (i ? " " : "") << values[i] + 0;  // -0 is 0
   }
   void box(const Transform& T, const Eigen::Vector3d& size) {
     origin(T);
