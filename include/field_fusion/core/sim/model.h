@@ -31,6 +31,9 @@ struct Cylinder {
   float radius;          ///< [m]
 };
 
+/// T_link_cylinder of a cylinder about z in the middle of its own frame, as URDF and RViz have them.
+Transform frameOf(const Cylinder& cylinder);
+
 /// How a surface answers to light. Textures are solid: they depend on the place in the body's frame.
 struct Material {
   enum class Texture { kPlain, kNoise, kChecker, kStripes, kBricks };
@@ -43,6 +46,9 @@ struct Material {
   float gloss = 0.f;  ///< 0..1, share of light that it mirrors: lost to a LiDAR, a highlight to a camera
   float transparency = 0.f;  ///< 0..1, share of rays that pass: nets, glass
 };
+
+/// Red, green, blue and alpha, 0..1, as screens take them, by a power law; of a texture the mean.
+Eigen::Vector4f shownColour(const Material& material);
 
 using Shape = std::variant<Mesh, Sphere, Cylinder>;
 
