@@ -19,22 +19,11 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # before torch: threads tha
 
 import torch  # noqa: E402
 
+from yolov8.arguments import input_size  # noqa: E402
 from yolov8.checkpoint import CheckpointError, load  # noqa: E402
 from yolov8.dataset import DataError, Dataset  # noqa: E402
 from yolov8.report import Report  # noqa: E402
 from yolov8.train import Settings, Training  # noqa: E402
-
-
-def input_size(text):
-    """(width, height) from "640" or "640x480"."""
-    try:
-        sides = [int(side) for side in text.split("x")]
-        size = tuple(sides * 2 if len(sides) == 1 else sides)
-    except ValueError:
-        size = ()
-    if len(size) != 2 or any(side <= 0 or side % 32 for side in size):
-        raise argparse.ArgumentTypeError(f"'{text}' is not one or two multiples of 32, as 640 or 640x480")
-    return size
 
 
 def arguments():

@@ -18,6 +18,13 @@ class Conv(nn.Module):
         return self.act(self.norm(self.conv(x)))
 
 
+class HalvedConv(Conv):
+    """The same, its channels in two halves."""
+
+    def forward(self, x):
+        return super().forward(x).chunk(2, 1)
+
+
 class Bottleneck(nn.Module):
     def __init__(self, channels, shortcut):
         super().__init__()
@@ -36,15 +43,12 @@ class C2f(nn.Module):
     def __init__(self, inputs, outputs, depth, shortcut):
         super().__init__()
         half = outputs // 2
-        self.enter = Conv(inputs, 2 * half)
+        self.enter = HalvedConv(inputs, 2 * half)
         self.blocks = nn.ModuleList(Bottleneck(half, shortcut) for _ in range(depth))
         self.leave = Conv((2 + depth) * half, outputs)
 
-    def halves(self, x):
-        return list(self.enter(x).chunk(2, 1))
-
     def forward(self, x):
-        parts = self.halves(x)
+        parts = list(self.enter(x))
         for block in self.blocks:
             parts.append(block(parts[-1]))
         return self.leave(torch.cat(parts, 1))
