@@ -40,14 +40,15 @@ def cell_centres(maps):
 
 
 def flattened(maps):
-    """Raw maps as the logits of distances NxAx4x16 and of scores NxAxclasses."""
-    rows = torch.cat([m.flatten(2) for m in maps], 2).transpose(1, 2).float()
+    """Raw maps as the logits of distances NxAx4x16 and of scores NxAxclasses, of 32 bits at least."""
+    rows = torch.cat([m.flatten(2) for m in maps], 2).transpose(1, 2)
+    rows = rows.to(torch.promote_types(rows.dtype, torch.float32))
     return rows[..., :BOX_ROWS].reshape(*rows.shape[:2], 4, BINS), rows[..., BOX_ROWS:]
 
 
 def boxes_of(distances, centres, strides):
     """Corners [px] from the logits of distances [cells]: the mean of each distribution."""
-    bins = torch.arange(BINS, dtype=torch.float32, device=distances.device)
+    bins = torch.arange(BINS, dtype=distances.dtype, device=distances.device)
     sides = (F.softmax(distances, -1) * bins).sum(-1) * strides[:, None]
     return torch.cat([centres - sides[..., :2], centres + sides[..., 2:]], -1)
 
