@@ -1,21 +1,22 @@
-"""Exponential average of a network's weights: what is measured and exported."""
+"""Moving average of a network's weights: what is measured and exported."""
 import copy
-import math
 
 import torch
 
+WINDOW, LONGEST = 0.02, 10000  # of the steps so far; steps
+
 
 class Average:
-    """The average forgets slowly at the end of a training, and fast at its start, where weights still move."""
+    """Over a window that grows with the training: weights move fast at its start, and little at its end."""
 
-    def __init__(self, network, decay=0.9999, tau=2000):
+    def __init__(self, network):
         self.network = copy.deepcopy(network).eval().requires_grad_(False)
-        self.decay, self.tau, self.updates = decay, tau, 0
+        self.updates = 0
 
     @torch.no_grad()
     def update(self, network):
         self.updates += 1
-        share = 1 - self.decay * (1 - math.exp(-self.updates / self.tau))
+        share = 1 / (1 + min(WINDOW * self.updates, LONGEST))
         current = network.state_dict()
         for name, mean in self.network.state_dict().items():
             if mean.is_floating_point():

@@ -15,7 +15,7 @@ class Plan:
     """The end of a training: a number of epochs, or a time in which there are as many steps as fit."""
 
     def __init__(self, epochs=None, minutes=None):
-        if (epochs is None) == (minutes is None) or (epochs or minutes) <= 0:
+        if (epochs is None) == (minutes is None) or max(epochs or 0, minutes or 0) <= 0:
             raise ValueError("a training ends after a number of epochs or of minutes above 0")
         self.epochs, self.seconds = epochs, minutes and 60.0 * minutes
 

@@ -1,7 +1,10 @@
+import os
 import pathlib
 import sys
 
 import pytest
+
+os.environ["OMP_WAIT_POLICY"] = "PASSIVE"  # before torch: its threads would else spin, which a busy machine makes slow
 
 torch = pytest.importorskip("torch", reason="python3-torch is not installed")
 
