@@ -1,0 +1,93 @@
+"""COCO's measure: average precision over 101 recalls, for ten overlaps and for sizes of bodies."""
+import numpy as np
+
+OVERLAPS = np.arange(50, 100, 5) / 100
+RECALLS = np.arange(101) / 100
+MOST_DETECTIONS = 100  # of one class in one image
+# areas [px of the image]
+SIZES = {"all": (0, np.inf), "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, np.inf)}
+
+
+def overlaps_of(a, b):
+    """IoU of each of a (Mx4) with each of b (Nx4)."""
+    low, high = np.maximum(a[:, None, :2], b[None, :, :2]), np.minimum(a[:, None, 2:], b[None, :, 2:])
+    shared = np.clip(high - low, 0, None).prod(-1)
+    total = areas_of(a)[:, None] + areas_of(b)[None] - shared
+    return np.divide(shared, total, out=np.zeros_like(total), where=total > 0)
+
+
+def areas_of(boxes):
+    return (boxes[:, 2:] - boxes[:, :2]).prod(-1)
+
+
+def matched(boxes, true, ignored):
+    """For each overlap and detection (best score first): 1 matches a body, 0 none, -1 one that does not count.
+    A body is matched once; one that counts goes before one that does not (COCO's rule)."""
+    result = np.zeros((len(OVERLAPS), len(boxes)), np.int8)
+    table = overlaps_of(boxes, true)
+    for row, least in enumerate(OVERLAPS):
+        free = np.ones(len(true), bool)
+        for index in range(len(boxes)):
+            fits = free & (table[index] >= least)
+            if not fits.any():
+                continue
+            if (fits & ~ignored).any():
+                fits &= ~ignored
+            best = int(np.argmax(np.where(fits, table[index], -1)))
+            free[best] = False
+            result[row, index] = -1 if ignored[best] else 1
+    return result
+
+
+def average_precision(hits, scores, bodies):
+    """AP of detections that hit (1), miss (0) or do not count (-1), with the number of bodies to be found."""
+    if bodies == 0:
+        return np.nan
+    hits = hits[np.argsort(-scores, kind="stable")]
+    hits = hits[hits >= 0]
+    found = np.cumsum(hits)
+    recall, precision = found / bodies, found / np.arange(1, len(hits) + 1)
+    precision = np.maximum.accumulate(precision[::-1])[::-1]
+    places = np.searchsorted(recall, RECALLS, side="left")
+    return float(np.append(precision, 0.0)[np.minimum(places, len(hits))].mean())
+
+
+class Scorer:
+    """Collects images, then gives AP by class, overlap and size. Boxes are corners [px of the image]."""
+
+    def __init__(self, names, sizes=SIZES):
+        self.names, self.sizes = names, sizes
+        self.rows = {(c, s): [] for c in range(len(names)) for s in sizes}
+        self.bodies = dict.fromkeys(self.rows, 0)
+
+    def add(self, detections, boxes, classes):
+        for c in range(len(self.names)):
+            mine = np.nonzero(detections.classes == c)[0]
+            mine = mine[np.argsort(-detections.scores[mine], kind="stable")][:MOST_DETECTIONS]
+            found, true = detections.boxes[mine], boxes[classes == c]
+            if not len(found) and not len(true):
+                continue
+            for size, (least, most) in self.sizes.items():
+                ignored = ~((areas_of(true) >= least) & (areas_of(true) < most))
+                hits = matched(found, true, ignored)
+                outside = ~((areas_of(found) >= least) & (areas_of(found) < most))
+                hits[(hits == 0) & outside[None]] = -1
+                self.rows[c, size].append((hits, detections.scores[mine]))
+                self.bodies[c, size] += int((~ignored).sum())
+
+    def table(self, size="all"):
+        """AP by class (rows) and overlap; NaN rows for classes without bodies."""
+        result = np.full((len(self.names), len(OVERLAPS)), np.nan)
+        for c in range(len(self.names)):
+            if not self.rows[c, size]:
+                continue
+            hits = np.concatenate([h for h, _ in self.rows[c, size]], 1)
+            scores = np.concatenate([s for _, s in self.rows[c, size]])
+            result[c] = [average_precision(row, scores, self.bodies[c, size]) for row in hits]
+        return result
+
+    def summary(self, size="all"):
+        """mAP50 and mAP50-95 over the classes that have bodies; NaN without any."""
+        table = self.table(size)
+        known = table[~np.isnan(table[:, 0])]
+        return (float(known[:, 0].mean()), float(known.mean())) if len(known) else (np.nan, np.nan)
