@@ -3,11 +3,12 @@ import colorsys
 import math
 import random
 
-PATTERNS = {"train": ("noise", "stripes"), "held_out": ("checker", "bricks", "noise")}
+PATTERNS = {False: {"noise": 3, "blotches": 2, "stripes": 1, "planks": 1, "checker": 1},
+            True: {"noise": 2, "slants": 1, "dots": 1, "grid": 1, "bricks": 1}}
 
 
 class Draw(random.Random):
-    """`split` says which of two sets of shapes, patterns and skies is drawn from; see docs/detector.md."""
+    """`held_out` worlds are drawn from shapes, patterns and skies that the others do not have."""
 
     def __init__(self, split, seed):
         super().__init__(f"{split}/{seed}")
@@ -30,8 +31,11 @@ class Draw(random.Random):
         """A key, as often as its weight says."""
         return self.choices(list(weights), list(weights.values()))[0]
 
-    def colour(self, value=(0.05, 0.9), saturation=(0.0, 1.0), hue=(0.0, 1.0)):
-        """Linear red, green, blue. Hues of 0..1 may go beyond 1 to pass red."""
+    def kind(self, usual, held_out):
+        return self.one_of(held_out if self.held_out else usual)
+
+    def colour(self, value=(0.08, 0.9), saturation=(0.0, 1.0), hue=(0.0, 1.0)):
+        """Linear red, green, blue."""
         r, g, b = colorsys.hsv_to_rgb(self.uniform(*hue) % 1.0, self.uniform(*saturation), self.uniform(*value))
         return [round(c ** 2.2, 4) for c in (r, g, b)]
 
@@ -40,12 +44,14 @@ class Draw(random.Random):
         factor = self.uniform(1 - share, 1 + share)
         return [round(min(1.0, max(0.0, c * factor * self.uniform(1 - share / 3, 1 + share / 3))), 4) for c in colour]
 
-    def material(self, colour, size=(0.05, 0.6), plain=0.35, gloss=None):
-        out = {"colour": colour}
+    def material(self, colour=None, size=(0.05, 0.6), plain=0.5, gloss=None, wear=0.6):
+        """One colour or a pattern of two, more or less dirty."""
+        colour = colour or self.colour()
+        out = {"colour": colour, "texture": "plain", "wear": self.number(0, wear)}
         if not self.chance(plain):
-            out["texture"] = self.choice(PATTERNS["held_out" if self.held_out else "train"])
+            out["texture"] = self.one_of(PATTERNS[self.held_out])
             out["texture_size"] = self.spread(*size)
-            out["colour2"] = self.like(colour, 0.5) if self.chance(0.8) else self.colour()
+            out["colour2"] = self.like(colour, 0.5) if self.chance(0.7) else self.colour()
         if gloss:
             out["gloss"] = self.number(*gloss)
         return out

@@ -8,10 +8,11 @@ import yaml
 
 from data import bodies, surroundings
 from data.draw import Draw
+from data.thing import shaped
 
 FRAMES = 3  # pictures of a world
 PAUSE = 2.0  # s between them
-AFLOAT = {"cage": 3, "boat": 3, "buoy": 3, "ball": 1, "box": 0.5}
+AFLOAT = {"cage": 3, "boat": 3, "buoy": 3, "box": 0.3}
 ASHORE = {"bollard": 3, "person": 2, "car": 1.5, "box": 1.5, "cone": 2, "stool": 1.5, "chair": 1.5, "puppet": 1.2,
           "balloon_car": 1, "ball": 1}
 ON_LAND = {"car": 1.6, "balloon_car": 2.2, "puppet": 2.2, "person": 1.6, "box": 1.4, "cone": 1.6, "ball": 1.6,
@@ -82,8 +83,8 @@ def put_quay(scene, weights, count):
         return
     scene.circles += [(x, y, width / 2) for x, y in across]
     shape = "box" if jetty else "quay"
-    quay = bodies.shaped(draw, shape, {"length": length, "width": width, "height": height},
-                         draw.material(draw.colour((0.2, 0.7), (0, 0.4), (0.0, 0.2)), (0.1, 1.0)))
+    quay = shaped(shape, {"length": length, "width": width, "height": height},
+                  draw.material(draw.colour((0.2, 0.7), (0, 0.4), (0.0, 0.2)), (0.1, 1.0)))
     scene.add(quay, cx, cy, 0, turn + math.pi / 2)
     put_on(scene, local, (length, width, height), weights, count)
 

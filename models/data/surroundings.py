@@ -7,13 +7,38 @@ LAND = {"asphalt": [0.07, 0.07, 0.075], "concrete": [0.35, 0.34, 0.32], "grass":
 WATER = ([0.02, 0.06, 0.09], [0.05, 0.12, 0.14], [0.04, 0.1, 0.06], [0.1, 0.09, 0.05], [0.06, 0.16, 0.2], [0.08, 0.1, 0.11])
 
 
+# Cover of clouds, brightness of sun and sky, visibility [m]: from .. to.
+SKIES = {
+    "clear": ((0.0, 0.3), (0.8, 1.3), (0.15, 0.4), (3000, 15000)),
+    "fair": ((0.35, 0.6), (0.5, 1.2), (0.2, 0.6), (2000, 10000)),
+    "grey": ((0.75, 1.0), (0.02, 0.2), (0.2, 0.8), (800, 6000)),
+    "dusk": ((0.3, 0.7), (0.05, 0.3), (0.03, 0.12), (1500, 6000)),
+    "fog": ((0.8, 1.0), (0.02, 0.1), (0.3, 0.8), (90, 400)),
+    "storm": ((0.62, 0.75), (0.1, 0.5), (0.08, 0.25), (600, 3000)),
+}
+
+
+def sky_colours(draw, sky):
+    if sky == "dusk":
+        return {"sun_colour": [1.0, draw.number(0.45, 0.7), draw.number(0.15, 0.4)], "zenith": draw.colour((0.45, 0.6), (0.4, 0.7), (0.6, 0.75)),
+                "horizon": draw.colour((0.85, 1), (0.25, 0.6), (0.02, 0.1))}
+    if sky in ("grey", "fog", "storm"):
+        return {"zenith": draw.colour((0.55, 0.7), (0.05, 0.25), (0.5, 0.65)), "horizon": draw.colour((0.75, 0.95), (0, 0.12), (0.5, 0.65))}
+    return {"sun_colour": [1.0, draw.number(0.85, 1.0), draw.number(0.6, 0.9)], "zenith": draw.colour((0.6, 0.95), (0.4, 0.65), (0.56, 0.63)),
+            "horizon": draw.colour((0.9, 1), (0.03, 0.25), (0.52, 0.62))}
+
+
 def light(draw):
-    """Often overcast or low; every eighth time the sun stands in the picture."""
-    glare = draw.chance(0.12)
-    sun = 0.0 if draw.chance(0.15) and not glare else draw.spread(0.15, 1.3)
+    """Every eighth time the sun stands in the picture, low."""
+    sky = draw.kind({"clear": 1, "fair": 2, "grey": 1.5}, {"dusk": 1, "fog": 0.7, "storm": 1})
+    clouds, sun, brightness, visibility = SKIES[sky]
+    glare = draw.chance(0.12) and sky not in ("grey", "fog")
+    low, high = (3, 16) if glare or sky == "dusk" else (8, 80)
     return {"sun_azimuth_deg": draw.number(-45, 45) if glare else draw.number(-180, 180),
-            "sun_elevation_deg": draw.number(3, 16) if glare else draw.number(8, 80),
-            "sun": sun, "sky": draw.spread(0.1, 0.8)}
+            "sun_elevation_deg": draw.number(low, high), "sun": draw.number(*sun), "sky": draw.spread(*brightness),
+            "clouds": draw.number(*clouds), "cloud_size": draw.spread(0.3, 2.5),
+            "cloud_seed": draw.randint(500, 999) if draw.held_out else draw.randint(0, 499),
+            "visibility": draw.spread(*visibility, digits=0), **sky_colours(draw, sky)}
 
 
 def water(draw):
