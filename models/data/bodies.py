@@ -1,5 +1,6 @@
 """Bodies of each class, and of none."""
 from data import afloat, ashore
+from data.extras import dress
 from data.thing import Thing
 
 MAKERS = {f.__name__: f for f in (
@@ -22,7 +23,7 @@ AS_THEY_ARE = ("tree", "bush", "barrier")
 def labelled(draw, label):
     thing = MAKERS[label](draw)
     thing.label = label
-    return thing
+    return dress(draw, thing)
 
 
 def fixture(draw, wet=False):

@@ -1,6 +1,8 @@
 """Light, ground, camera and way of a random world."""
 import math
 
+FRAMES = 3  # pictures of a world
+PAUSE = 2.0  # s between them
 USV_CAMERA = {"model": "xfk_4k415", "width": 640, "height": 360, "fx": 245.5}
 LAND = {"asphalt": [0.07, 0.07, 0.075], "concrete": [0.35, 0.34, 0.32], "grass": [0.06, 0.14, 0.03],
         "sand": [0.45, 0.36, 0.22], "earth": [0.14, 0.09, 0.05], "wood": [0.3, 0.18, 0.09], "lino": [0.3, 0.32, 0.34]}
@@ -71,17 +73,17 @@ def camera(draw, usv):
         out.update(width=640, height=480, fx=round(320 / math.tan(math.radians(draw.number(60, 105) / 2)), 1))
     out.update(fy=out["fx"], cx=(out["width"] - 1) / 2, cy=(out["height"] - 1) / 2)
     height = draw.near(1.1, 0.1) if usv and draw.chance(0.7) else draw.number(0.4, 2.2)
-    out.update(name="camera", rate=0.5, pose=[0, 0, height, draw.number(-2, 2), draw.number(-4, 8), 0],
+    out.update(name="camera", rate=1 / PAUSE, pose=[0, 0, height, draw.number(-2, 2), draw.number(-4, 8), 0],
                encoding="jpeg", jpeg_quality=draw.randint(75, 95), threads=1, samples=2 if draw.chance(0.12) else 1,
-               brightness=draw.number(0.11, 0.27), white_time=draw.spread(1, 15), max_exposure_time=draw.number(8, 33),
+               brightness=draw.number(0.13, 0.33), white_time=draw.spread(1, 15), max_exposure_time=draw.number(8, 33),
                full_well=draw.spread(5000, 20000), read_noise=draw.number(1.5, 6), vignetting=draw.number(0, 0.4),
                glare=draw.spread(0.03, 0.3))
     return out
 
 
-def way(draw, wet, frames):
-    """Where the robot is at each picture, about, and the keys that take it there."""
-    seconds = 2.0 * (frames - 1)
+def way(draw, wet):
+    """Where the robot passes, and the keys that take it there."""
+    seconds = PAUSE * (FRAMES - 1)
     speed = 0.0 if draw.chance(0.25) else draw.spread(0.3, 2.0)
     bend = draw.number(-40, 40)
     reach = max(0.0, speed * seconds)

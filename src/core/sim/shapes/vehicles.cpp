@@ -26,22 +26,25 @@ void cabin(Builder& builder, const Eigen::Vector4f& below, float from, const Eig
   for (const int x : {0, 1})
     for (const int y : {2, 3}) {
       const float in = y == 2 ? 0.015f : -0.015f;
-      builder.rod({level(0.1f)[x], level(0.1f)[y] + in, height(0.1f)}, {level(0.88f)[x], level(0.88f)[y] + in, height(0.88f)}, 0.035f);
+      builder.rod({level(0.1f)[x], level(0.1f)[y] + in, height(0.1f)},
+                  {level(0.88f)[x], level(0.88f)[y] + in, height(0.88f)}, 0.035f);
     }
   builder.use(window, "window").mesh(frustum(level(0.1f), height(0.1f), level(0.88f), height(0.88f)));
 }
 
 /// Outline of a car from the side, in shares of half its length and of its height.
 struct CarStyle {
-  float rear_foot, screen_foot;  // where rear window and windscreen meet the belt
-  float rear_head, screen_head;  // where they meet the roof
+  float rear_foot, screen_foot;                      // where rear window and windscreen meet the belt
+  float rear_head, screen_head;                      // where they meet the roof
   float belt = 0.62f, bonnet = 0.62f, tail = 0.62f;  // heights
 };
 
 void wheels(Builder& builder, float x, float y, float radius) {
   for (const float at : {-0.58f * x, 0.62f * x})
     for (const float side : {-1.f, 1.f}) {
-      const auto disc = [&](float in, float out, float r) { builder.rod({at, side * in, radius}, {at, side * out, radius}, r); };
+      const auto disc = [&](float in, float out, float r) {
+        builder.rod({at, side * in, radius}, {at, side * out, radius}, r);
+      };
       builder.use(matt(kBlack, 0.1f), "arch");
       disc(0.7f * y, 0.955f * y, 1.15f * radius);
       builder.use(rubber(), "tyre");
@@ -74,14 +77,20 @@ Model carOf(const ShapeParams& p, const CarStyle& s) {
   builder.use(paint(kBlue), "paint");
   builder.mesh(frustum({-0.995f * x, x, -0.9f * y, 0.9f * y}, sill, {-0.995f * x, x, -side, side}, waist));
   const float front = 0.97f * x, rear = -0.98f * x, mid = s.screen_foot * x, back = s.rear_foot * x;
-  builder.mesh(frustum({-0.995f * x, x, -side, side}, waist, {back - 0.01f * x, mid, -0.93f * y, 0.93f * y}, belt));
-  builder.mesh(frustum({mid - 0.1f * x, x, -side, side}, waist, {mid - 0.1f * x, front, -0.88f * y, 0.88f * y}, s.bonnet * h));
-  builder.mesh(frustum({-0.995f * x, back + 0.1f * x, -side, side}, waist, {rear, back + 0.1f * x, -0.9f * y, 0.9f * y}, s.tail * h));
-  cabin(builder, {back, mid, -0.9f * y, 0.9f * y}, belt, {s.rear_head * x, s.screen_head * x, -0.72f * y, 0.72f * y}, h, kBlue);
+  builder.mesh(
+      frustum({-0.995f * x, x, -side, side}, waist, {back - 0.01f * x, mid, -0.93f * y, 0.93f * y}, belt));
+  builder.mesh(frustum({mid - 0.1f * x, x, -side, side}, waist,
+                       {mid - 0.1f * x, front, -0.88f * y, 0.88f * y}, s.bonnet * h));
+  builder.mesh(frustum({-0.995f * x, back + 0.1f * x, -side, side}, waist,
+                       {rear, back + 0.1f * x, -0.9f * y, 0.9f * y}, s.tail * h));
+  cabin(builder, {back, mid, -0.9f * y, 0.9f * y}, belt,
+        {s.rear_head * x, s.screen_head * x, -0.72f * y, 0.72f * y}, h, kBlue);
   builder.use(matt(kBlack, 0.1f), "trim");
   for (const float at : {0.5f * (back + mid) - 0.01f * x, mid - 0.06f * x})  // gaps of the doors
-    for (const float door : {-side - 0.001f, side - 0.01f}) builder.box({at, door, 0.2f * h}, {at + 0.008f * x, door + 0.011f, waist});
-  for (const float door : {-y, y - 0.08f * y}) builder.box({mid - 0.12f * x, door, belt}, {mid - 0.06f * x, door + 0.08f * y, belt + 0.09f * h});
+    for (const float door : {-side - 0.001f, side - 0.01f})
+      builder.box({at, door, 0.2f * h}, {at + 0.008f * x, door + 0.011f, waist});
+  for (const float door : {-y, y - 0.08f * y})
+    builder.box({mid - 0.12f * x, door, belt}, {mid - 0.06f * x, door + 0.08f * y, belt + 0.09f * h});
   lamps(builder, x, y, h);
   return builder.build();
 }
@@ -98,8 +107,11 @@ Model pickup(const ShapeParams& p) {
   Model model = carOf(p, {-0.12f, 0.48f, -0.08f, 0.2f, 0.6f, 0.58f, 0.44f});
   Builder bed;
   bed.use(paint(kBlue), "paint").box({-0.98f * x, -0.93f * y, 0.4f * h}, {-0.95f * x, 0.93f * y, 0.58f * h});
-  for (const float side : {-0.93f * y, 0.93f * y - wall}) bed.box({-0.98f * x, side, 0.4f * h}, {-0.1f * x, side + wall, 0.58f * h});
-  for (Part& part : bed.build().links.front().parts) model.links.front().parts.push_back(std::move(part));
+  for (const float side : {-0.93f * y, 0.93f * y - wall})
+    bed.box({-0.98f * x, side, 0.4f * h}, {-0.1f * x, side + wall, 0.58f * h});
+  const Model behind = bed.build();
+  auto& parts = model.links.front().parts;
+  parts.insert(parts.end(), behind.links.front().parts.begin(), behind.links.front().parts.end());
   return model;
 }
 
