@@ -40,7 +40,7 @@ def included():
 
 def imported():
     """Modules of others that the Python files import; our own messages and helpers left out."""
-    own = {path.stem for path in sources("*.py")} | {"field_fusion"}
+    own = {name for path in sources("*.py") for name in (path.stem, path.parent.name)} | {"field_fusion"}
     found = set()
     for file in [*sources("*.py"), *[f for f in sources("scripts/*") if f.read_bytes()[:30].startswith(b"#!/usr/bin/python3")]]:
         found |= set(re.findall(r"^\s*(?:import|from) (\w+)", file.read_text(), re.M))

@@ -58,7 +58,8 @@ Ground readGround(const Yaml& yaml) {
 }
 
 Light readLight(const Yaml& yaml) {
-  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky"});
+  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky", "sun_colour", "zenith", "horizon", "clouds",
+                 "cloud_size", "cloud_seed", "visibility"});
   Light light;
   Polar sun = polar(light.to_sun);
   if (yaml.has("sun_azimuth_deg")) sun.azimuth = radians(yaml["sun_azimuth_deg"].number());
@@ -66,6 +67,18 @@ Light readLight(const Yaml& yaml) {
   light.to_sun = cartesian({1.0, sun.azimuth, sun.elevation});
   if (yaml.has("sun")) light.sun = yaml["sun"].number(0, 1000);
   if (yaml.has("sky")) light.sky = yaml["sky"].number(0, 1000);
+  const auto colour = [&yaml](const char* key, Eigen::Vector3f& out) {
+    if (!yaml.has(key)) return;
+    const auto n = yaml[key].numbers(3, 3);
+    out = Eigen::Vector3d(n[0], n[1], n[2]).cast<float>();
+    if (!(out.minCoeff() >= 0.f && out.maxCoeff() <= 1.f && out.sum() > 0.f))
+      yaml[key].fail("must be [red, green, blue] of 0..1, not black");
+  };
+  colour("sun_colour", light.sun_colour), colour("zenith", light.zenith), colour("horizon", light.horizon);
+  if (yaml.has("clouds")) light.clouds = yaml["clouds"].number(0, 1);
+  if (yaml.has("cloud_size")) light.cloud_size = yaml["cloud_size"].positive();
+  if (yaml.has("cloud_seed")) light.cloud_seed = static_cast<unsigned>(yaml["cloud_seed"].whole(0, 1000));
+  if (yaml.has("visibility")) light.visibility = yaml["visibility"].positive();
   return light;
 }
 

@@ -13,7 +13,7 @@ Transform readFrame(const Yaml& yaml);
 void readMaterial(const Yaml& yaml, Material& material);
 /// From the keys of kModelKeys.
 Model readModel(const Yaml& yaml);
-inline const std::vector<std::string> kModelKeys{"shape", "params", "mesh", "scale", "material", "parts"};
+inline const std::vector<std::string> kModelKeys{"shape", "params", "mesh", "scale", "material", "materials", "parts"};
 
 /// From the keys of kWayKeys, `offset` [m] along x and y from where they say, put on the ground.
 Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,

@@ -75,6 +75,38 @@ TEST_F(WorldFile, SaysWhatItSays) {
   EXPECT_EQ(world.dimensions.at(0).length(), 5.0);
 }
 
+TEST_F(WorldFile, PaintsPartsByWhatTheyAre) {
+  const World world = load(R"(
+light: {zenith: [0.1, 0.2, 0.3], horizon: [0.4, 0.5, 0.6], sun_colour: [1, 0.5, 0], clouds: 0.25, cloud_size: 2, cloud_seed: 7, visibility: 300}
+bodies:
+  - name: boat
+    shape: boat
+    pose: [0, 0]
+    material: {colour: [0, 1, 0], wear: 0.5}
+    materials: {hull: {colour: [1, 0, 0], texture: dots}, mast: {gloss: 0.7}}
+)");
+  int hulls = 0;
+  for (const Part& part : world.bodies[0].model.links[0].parts) {
+    const bool hull = part.role == "hull";
+    hulls += hull;
+    EXPECT_EQ(part.material.colour, hull ? Eigen::Vector3f(1, 0, 0) : Eigen::Vector3f(0, 1, 0)) << part.role;
+    EXPECT_EQ(part.material.texture == Material::Texture::kDots, hull);
+    EXPECT_EQ(part.material.wear, 0.5f);
+    if (part.role == "mast") {
+      EXPECT_EQ(part.material.gloss, 0.7f);
+    }
+  }
+  EXPECT_EQ(hulls, 1);
+  const Light& light = world.light;
+  EXPECT_EQ(light.zenith, Eigen::Vector3f(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(light.horizon, Eigen::Vector3f(0.4f, 0.5f, 0.6f));
+  EXPECT_EQ(light.sun_colour, Eigen::Vector3f(1.f, 0.5f, 0.f));
+  EXPECT_EQ(light.clouds, 0.25);
+  EXPECT_EQ(light.cloud_size, 2.0);
+  EXPECT_EQ(light.cloud_seed, 7u);
+  EXPECT_EQ(light.visibility, 300.0);
+}
+
 TEST_F(WorldFile, RobotHasItsMounts) {
   const Robot robot = load(kFull).robot;
   EXPECT_EQ(robot.name, "dog");
@@ -141,6 +173,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"name: a\nbodys: []\n", "2: bodys: unknown key (did you mean bodies?)"},
         Fault{"name: a\nname: b\n", "2: name is there twice"},
+        Fault{"light: {zenith: [0, 0, 0]}\n", "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
+        Fault{"bodies:\n - {name: a, shape: stool, pose: [0, 0],\n    materials: {hull: {gloss: 1}}}\n",
+              "3: bodies[0].materials.hull: no part is that; there are: seat leg"},
         Fault{"bodies:\n - {name: a, shape: bxo, pose: [0, 0]}\n",
               "2: bodies[0].shape: no shape is named bxo (did you mean box?)"},
         Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0],\n    params: {lenght: 1}}\n",

@@ -46,6 +46,13 @@ struct Ground {
 struct Light {
   Eigen::Vector3d to_sun{0.4, 0.3, 0.87};  ///< unit vector
   double sun = 1.0, sky = 0.35;            ///< brightness of direct and of diffuse light
+  // Colours of the light, linear RGB; only their ratios count.
+  Eigen::Vector3f sun_colour{1.06f, 1.f, 0.86f};
+  Eigen::Vector3f zenith{0.16f, 0.34f, 0.74f}, horizon{0.72f, 0.84f, 0.98f};  ///< also to each other
+  double clouds = 0.5;      ///< 0..1: none .. overcast
+  double cloud_size = 1.0;  ///< over that of fair weather
+  unsigned cloud_seed = 0;
+  double visibility = 6000.0;  ///< [m] in which haze takes 1 - 1/e
 };
 
 /// A sensor on the robot. Its kind's parameters are in config/sensors/MODEL.yaml, changed by `overrides`.
