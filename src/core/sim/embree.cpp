@@ -3,16 +3,11 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "packet.h"
 #include "ray_cut.h"
 
 namespace field_fusion::core::sim {
 namespace {
-
-unsigned mix(unsigned h) {  // the finaliser of MurmurHash3
-  h = (h ^ (h >> 16)) * 0x85ebca6bu;
-  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
-  return h ^ (h >> 16);
-}
 
 bool passes(const Part& part, unsigned ray, unsigned instance, unsigned geometry, unsigned primitive) {
   const unsigned drawn = mix(ray ^ mix(instance + mix(geometry + mix(primitive))));
@@ -140,14 +135,6 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const Part& part) {
   }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(scene, geometry.get(), id);
-}
-
-unsigned rayNumber(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
-  const float values[6] = {origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z()};
-  unsigned bits[6], h = 0;
-  std::memcpy(bits, values, sizeof bits);
-  for (const unsigned b : bits) h = mix(h + b);
-  return h;
 }
 
 }  // namespace field_fusion::core::sim

@@ -29,16 +29,27 @@ struct Job {
   Count seen, alone;
 };
 
+/// Pixels of a row that show something else are cast at the body alone.
 void count(Job& job, const Caster& caster, const Lens& lens, const Eigen::Isometry3f& T_world_optical,
            const cv::Mat& bodies) {
+  std::vector<Ray> rays;
+  std::vector<int> columns;
+  std::vector<float> ranges;
   for (int v = job.rect.y; v < job.rect.y + job.rect.height; ++v) {
     const int* shown = bodies.ptr<int>(v);
+    rays.clear(), columns.clear();
     for (int u = job.rect.x; u < job.rect.x + job.rect.width; ++u) {
-      const bool seen = shown[u] == job.body;
-      if (seen) job.seen.add(u, v);
-      const Ray ray{T_world_optical.translation(), T_world_optical.linear() * lens.ray(u, v), 0.f};
-      if (seen || std::isfinite(caster.rangeTo(job.body, ray))) job.alone.add(u, v);
+      if (shown[u] == job.body) {
+        job.seen.add(u, v), job.alone.add(u, v);
+        continue;
+      }
+      rays.push_back({T_world_optical.translation(), T_world_optical.linear() * lens.ray(u, v), 0.f});
+      columns.push_back(u);
     }
+    ranges.resize(rays.size());
+    caster.rangesTo(job.body, rays.data(), ranges.data(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (std::isfinite(ranges[i])) job.alone.add(columns[i], v);
   }
 }
 

@@ -96,7 +96,7 @@ Ride readRide(const Yaml& yaml, const Ground& ground) {
 void checkStaysOn(const Ground& ground, const Trajectory& way, const Yaml& yaml) {
   if (ground.kind != Ground::Kind::kRough) return;
   for (double t = 0; t <= way.duration(); t += 0.1)
-    if (const auto p = way.pose(t).translation(); p.head<2>().cwiseAbs().maxCoeff() > ground.half_extent)
+    if (const Eigen::Vector3d p = way.pose(t).translation(); p.head<2>().cwiseAbs().maxCoeff() > ground.half_extent)
       yaml.fail("leaves the ground, which ends " + shortNumber(ground.half_extent) + " m from the origin");
 }
 
