@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "blur.h"
 #include "film.h"
 #include "random.h"
 #include "rows.h"
@@ -162,12 +163,12 @@ struct ColourCamera::State {
   const cv::Mat& blur(const std::function<Transform(double)>& pose, double stamp) {
     const double half = 0.5 * exposure.time();
     const Transform middle = pose(stamp) * sensorToOptical();
-    const Motion motion{(pose(stamp - half) * sensorToOptical()).inverse() * middle,
-                        (pose(stamp + half) * sensorToOptical()).inverse() * middle};
+    const Blur motion(lens, (pose(stamp - half) * sensorToOptical()).inverse() * middle,
+                      (pose(stamp + half) * sensorToOptical()).inverse() * middle);
     double nearest = 0.0;
     cv::minMaxLoc(frame.ranges, &nearest);
-    if (motion.longest(lens, static_cast<float>(nearest)) < 0.8f * kSharp) return light;
-    over([&](int v, int) { blurRow(lens, motion, light, frame.ranges, v, blurred); });
+    if (!motion.seen(static_cast<float>(nearest))) return light;
+    over([&](int v, int) { motion.row(light, frame.ranges, v, blurred); });
     return blurred;
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "cylinder_cast.h"
+
 namespace field_fusion::core::sim {
 namespace {
 

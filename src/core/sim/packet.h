@@ -23,11 +23,4 @@ struct Packet {
   RTCRayHit single(std::size_t lane) const;
 };
 
-/// Draws well-mixed bits (the finaliser of MurmurHash3).
-FIELD_FUSION_INLINE unsigned mix(unsigned h) {
-  h = (h ^ (h >> 16)) * 0x85ebca6bu;
-  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
-  return h ^ (h >> 16);
-}
-
 }  // namespace field_fusion::core::sim
