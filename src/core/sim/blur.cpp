@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lanes.h"
+#include "field_fusion/core/sim/lanes.h"
 
 namespace field_fusion::core::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include "field_fusion/core/sim/model.h"
-#include "lanes.h"
+#include "field_fusion/core/sim/lanes.h"
 
 namespace field_fusion::core::sim {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanes.h"
+#include "field_fusion/core/sim/lanes.h"
 #include "random.h"
 #include "texture.h"
 

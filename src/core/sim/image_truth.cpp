@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rows.h"
-
 namespace field_fusion::core::sim {
 namespace {
 
@@ -69,7 +67,7 @@ ImageTruth::ImageTruth(const World& world, const Lens& lens) : world_(world), le
 }
 
 std::vector<BodyView> ImageTruth::views(const Caster& caster, const Transform& T_world_optical, double time,
-                                        const cv::Mat& bodies, int threads) const {
+                                        const cv::Mat& bodies, Workers& workers) const {
   std::vector<Job> jobs;
   for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
     const Body& body = world_.bodies[i];
@@ -79,8 +77,7 @@ std::vector<BodyView> ImageTruth::views(const Caster& caster, const Transform& T
     if (!rect.empty()) jobs.push_back({static_cast<int>(i), rect, {}, {}});
   }
   const Eigen::Isometry3f T = T_world_optical.cast<float>();
-  overRows(static_cast<int>(jobs.size()), workersOf(threads),
-           [&](int j, int) { count(jobs[static_cast<std::size_t>(j)], caster, lens_, T, bodies); });
+  workers.share(jobs.size(), [&](std::size_t j, int) { count(jobs[j], caster, lens_, T, bodies); });
   std::vector<BodyView> views;
   for (const Job& job : jobs)
     if (job.alone.number > 0) views.push_back(viewOf(job, bodies.size()));

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "field_fusion/core/sim/world.h"
-#include "lanes.h"
+#include "field_fusion/core/sim/lanes.h"
 
 namespace field_fusion::core::sim {
 

@@ -2,7 +2,7 @@
 // Colour of water: it mirrors the sky and the sun with waves of its own, too small to be in the world.
 #include <Eigen/Core>
 
-#include "lanes.h"
+#include "field_fusion/core/sim/lanes.h"
 
 namespace field_fusion::core::sim {
 
