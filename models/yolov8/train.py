@@ -144,8 +144,7 @@ class Training:
         done = self.progress() >= 1
         if done or (self.epoch + 1) % self.settings.validate == 0:
             began = time.monotonic()
-            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation,
-                                                  self.settings.batch).summary()
+            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation).summary()
             self.seconds += time.monotonic() - began
         self.history.append(row)
         self.epoch, self.step, self.losses = self.epoch + 1, 0, torch.zeros(3)
