@@ -49,6 +49,7 @@ class Shader {
   Ripples ripples_;
   bool water_, reflections_;
   float pixel_angle_;
+  float visibility_;  // [m]
   Eigen::Vector3f bounce_;
 };
 
