@@ -3,7 +3,8 @@
 
   models/evaluate_detector.py MODEL DATA [--split held_out]
 
-MODEL is a checkpoint of train_detector or an ONNX file, which runs on OpenCV. The classes of DATA are looked up
+MODEL is a checkpoint of train_detector or an ONNX file, which runs on OpenCV. Images whose names differ in what
+stands after the last "_" alone are of one scene; the intervals are over scenes. The classes of DATA are looked up
 among the model's by their names; the model's others are left out, and those that it lacks are named.
 """
 import argparse
@@ -57,8 +58,9 @@ def main():
     print(score_table(scorer))
     if missing:
         print(f"The model does not know: {', '.join(missing)}")
-    print(f"{len(data)} images of {args.split}, input {size[0]}x{size[1]}")
-    for name, value, (low, high) in zip(("map50", "map50_95"), scorer.summary(), scorer.intervals()):
+    scenes = [path.stem.rpartition("_")[0] or path.stem for path in data.paths]
+    print(f"{len(data)} images of {len(set(scenes))} scenes of {args.split}, input {size[0]}x{size[1]}")
+    for name, value, (low, high) in zip(("map50", "map50_95"), scorer.summary(), scorer.intervals(scenes)):
         print(f"figure {args.figure}/{name} {value:.4g} - n={len(data)} ci=[{low:.4g},{high:.4g}]")
 
 

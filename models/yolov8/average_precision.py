@@ -99,9 +99,13 @@ class Scorer:
         known = table[~np.isnan(table[:, 0])]
         return (float(known[:, 0].mean()), float(known.mean())) if len(known) else (np.nan, np.nan)
 
-    def intervals(self, resamples=200):
-        """95 % intervals of both: the images drawn again and again (Efron 1979), the same for the same images."""
+    def intervals(self, scenes, resamples=200):
+        """95 % intervals of both: the scenes drawn again and again (Efron 1979), the same for the same images.
+        `scenes`: of each image; what is in one scene is no second proof."""
+        known, scene = np.unique(scenes, return_inverse=True)
         rng = np.random.default_rng(1)
-        draws = [self.summary(image_weights=np.bincount(rng.integers(self.images, size=self.images), minlength=self.images))
-                 for _ in range(resamples)]
+        draws = []
+        for _ in range(resamples):
+            times = np.bincount(rng.integers(len(known), size=len(known)), minlength=len(known))
+            draws.append(self.summary(image_weights=times[scene]))
         return [tuple(np.nanpercentile([d[i] for d in draws], (2.5, 97.5))) for i in range(2)]
