@@ -5,7 +5,8 @@ OVERLAPS = np.arange(50, 100, 5) / 100
 RECALLS = np.arange(101) / 100
 MOST_DETECTIONS = 100  # of one class in one image
 # areas [px of the image]
-SIZES = {"all": (0, np.inf), "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, np.inf)}
+ALL = {"all": (0, np.inf)}
+SIZES = {**ALL, "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, np.inf)}
 
 
 def overlaps_of(a, b):
@@ -24,18 +25,15 @@ def matched(boxes, true, ignored):
     """For each overlap and detection (best score first): 1 matches a body, 0 none, -1 one that does not count.
     A body is matched once; one that counts goes before one that does not (COCO's rule)."""
     result = np.zeros((len(OVERLAPS), len(boxes)), np.int8)
-    table = overlaps_of(boxes, true)
-    for row, least in enumerate(OVERLAPS):
-        free = np.ones(len(true), bool)
-        for index in range(len(boxes)):
-            fits = free & (table[index] >= least)
-            if not fits.any():
-                continue
-            if (fits & ~ignored).any():
-                fits &= ~ignored
-            best = int(np.argmax(np.where(fits, table[index], -1)))
-            free[best] = False
-            result[row, index] = -1 if ignored[best] else 1
+    table, free = overlaps_of(boxes, true), np.ones((len(OVERLAPS), len(true)), bool)
+    for index in np.nonzero(table.max(1, initial=0) >= OVERLAPS[0])[0]:
+        fits = free & (table[index] >= OVERLAPS[:, None])
+        counts = fits & ~ignored
+        fits = np.where(counts.any(1, keepdims=True), counts, fits)
+        rows = np.nonzero(fits.any(1))[0]
+        best = np.where(fits, table[index], -1).argmax(1)[rows]
+        free[rows, best] = False
+        result[rows, index] = np.where(ignored[best], -1, 1)
     return result
 
 

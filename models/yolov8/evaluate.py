@@ -2,7 +2,7 @@
 import torch
 
 from .augment import letterboxed
-from .average_precision import Scorer
+from .average_precision import SIZES, Scorer
 from .detections import detections_of, in_image
 from .loader import collated, network_input
 
@@ -10,9 +10,9 @@ CONFIDENCE = 0.001  # low, as precision is wanted at every recall
 OVERLAP = 0.7
 
 
-def score(detect, dataset, batch=16):
+def score(detect, dataset, batch=16, sizes=SIZES):
     """A filled Scorer. `detect`: from images Nx3xHxW (RGB uint8) to one Detections each [px of the input]."""
-    scorer = Scorer(dataset.names)
+    scorer = Scorer(dataset.names, sizes)
     for start in range(0, len(dataset), batch):
         samples = dataset.samples[start:start + batch]
         images, _ = collated([letterboxed(sample, dataset.size) for sample in samples])

@@ -8,6 +8,7 @@ import torch
 from . import checkpoint
 from .augment import Augmentation
 from .average import Average
+from .average_precision import ALL
 from .evaluate import runner, score
 from .loader import Loader, network_input
 from .loss import detection_loss
@@ -147,7 +148,7 @@ class Training:
         done = self.progress() >= 1
         if done or (self.epoch + 1) % self.settings.validate == 0:
             began = time.monotonic()
-            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation).summary()
+            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation, sizes=ALL).summary()
             self.seconds += time.monotonic() - began
         self.history.append(row)
         self.epoch, self.step, self.losses = self.epoch + 1, 0, torch.zeros(3)
