@@ -5,6 +5,7 @@ import cv2
 import numpy as np
 
 from .dataset import GREY, Sample
+from .network import STRIDES
 
 LEAST_SIDE = 3.0     # [px] of a box that was cut: what remains smaller is not a body any more
 LEAST_VISIBLE = 0.2  # share of its area
@@ -19,6 +20,14 @@ class Augmentation:
     hue: float = 0.015    # least and most factors are 1 -+ these
     saturation: float = 0.7
     value: float = 0.4
+    zoom: float = 1.0     # sides of the sample, of the input's
+
+    def size_of(self, size):
+        """Of the sample, for an input of `size` (width, height): multiples of the coarsest cell."""
+        return tuple(max(1, round(self.zoom * side / STRIDES[-1])) * STRIDES[-1] for side in size)
+
+    def scale_of(self, rng):
+        return self.zoom * rng.uniform(1 - self.scale, 1 + self.scale)
 
 
 def letterboxed(sample, size):
@@ -65,11 +74,10 @@ def mosaic(samples, size, settings, rng):
     """Four images around a random point, seen through a window of random scale."""
     width, height = size
     canvas = np.full((height, width, 3), GREY, np.uint8)
-    scale = rng.uniform(1 - settings.scale, 1 + settings.scale)
-    # the point where four tiles of `size` meet, in a picture of twice the size that the window looks into
-    meet = np.array(size) * rng.uniform(0.5, 1.5, 2)
-    shift = rng.uniform(-settings.shift, settings.shift, 2) * size
-    x, y = (meet - size) * scale + np.array(size) / 2 + shift
+    scale = settings.scale_of(rng)
+    # where the four meet: off the window's middle by up to half an image, and shifted
+    off = rng.uniform(-0.5, 0.5, 2) * scale / settings.zoom + rng.uniform(-settings.shift, settings.shift, 2)
+    x, y = np.array(size) * (0.5 + off)
     boxes, classes = [], []
     for index, sample in enumerate(samples):
         h, w = np.array(sample.image.shape[:2]) * scale
@@ -86,7 +94,7 @@ def shifted(sample, size, settings, rng):
     """One image at a random scale and place."""
     width, height = size
     canvas = np.full((height, width, 3), GREY, np.uint8)
-    scale = rng.uniform(1 - settings.scale, 1 + settings.scale)
+    scale = settings.scale_of(rng)
     h, w = np.array(sample.image.shape[:2]) * scale
     x, y = rng.uniform(-settings.shift, settings.shift, 2) * size
     boxes, classes = paste(canvas, sample, scale, (width - w) / 2 + x, (height - h) / 2 + y, (0, 0, width, height))
@@ -109,11 +117,12 @@ def recoloured(image, settings, rng):
 
 def augmented(dataset, index, settings, rng):
     """The training sample that `rng` makes of this image, and for a mosaic of three others."""
+    size = settings.size_of(dataset.size)
     if rng.random() < settings.mosaic:
         others = rng.integers(len(dataset), size=3)
-        sample = mosaic([dataset.samples[i] for i in (index, *others)], dataset.size, settings, rng)
+        sample = mosaic([dataset.samples[i] for i in (index, *others)], size, settings, rng)
     else:
-        sample = shifted(dataset.samples[index], dataset.size, settings, rng)
+        sample = shifted(dataset.samples[index], size, settings, rng)
     if rng.random() < settings.mirror:
         sample = mirrored(sample)
     return Sample(recoloured(sample.image, settings, rng), sample.boxes, sample.classes)

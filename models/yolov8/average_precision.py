@@ -5,7 +5,8 @@ OVERLAPS = np.arange(50, 100, 5) / 100
 RECALLS = np.arange(101) / 100
 MOST_DETECTIONS = 100  # of one class in one image
 # areas [px of the image]
-SIZES = {"all": (0, np.inf), "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, np.inf)}
+ALL = {"all": (0, np.inf)}
+SIZES = {**ALL, "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, np.inf)}
 
 
 def overlaps_of(a, b):
@@ -24,41 +25,39 @@ def matched(boxes, true, ignored):
     """For each overlap and detection (best score first): 1 matches a body, 0 none, -1 one that does not count.
     A body is matched once; one that counts goes before one that does not (COCO's rule)."""
     result = np.zeros((len(OVERLAPS), len(boxes)), np.int8)
-    table = overlaps_of(boxes, true)
-    for row, least in enumerate(OVERLAPS):
-        free = np.ones(len(true), bool)
-        for index in range(len(boxes)):
-            fits = free & (table[index] >= least)
-            if not fits.any():
-                continue
-            if (fits & ~ignored).any():
-                fits &= ~ignored
-            best = int(np.argmax(np.where(fits, table[index], -1)))
-            free[best] = False
-            result[row, index] = -1 if ignored[best] else 1
+    table, free = overlaps_of(boxes, true), np.ones((len(OVERLAPS), len(true)), bool)
+    for index in np.nonzero(table.max(1, initial=0) >= OVERLAPS[0])[0]:
+        fits = free & (table[index] >= OVERLAPS[:, None])
+        counts = fits & ~ignored
+        fits = np.where(counts.any(1, keepdims=True), counts, fits)
+        rows = np.nonzero(fits.any(1))[0]
+        best = np.where(fits, table[index], -1).argmax(1)[rows]
+        free[rows, best] = False
+        result[rows, index] = np.where(ignored[best], -1, 1)
     return result
 
 
-def average_precision(hits, scores, bodies):
-    """AP of detections that hit (1), miss (0) or do not count (-1), with the number of bodies to be found."""
+def average_precision(hits, scores, bodies, weights=None):
+    """AP of detections that hit (1), miss (0) or do not count (-1), with the number of bodies to be found. A
+    detection counts as often as its weight says."""
     if bodies == 0:
         return np.nan
-    hits = hits[np.argsort(-scores, kind="stable")]
-    hits = hits[hits >= 0]
-    found = np.cumsum(hits)
-    recall, precision = found / bodies, found / np.arange(1, len(hits) + 1)
+    weights = np.ones(len(hits)) if weights is None else weights
+    order = np.argsort(-scores, kind="stable")
+    order = order[(hits[order] >= 0) & (weights[order] > 0)]
+    found, all_ = np.cumsum(hits[order] * weights[order]), np.cumsum(weights[order])
+    recall, precision = found / bodies, found / all_
     precision = np.maximum.accumulate(precision[::-1])[::-1]
     places = np.searchsorted(recall, RECALLS, side="left")
-    return float(np.append(precision, 0.0)[np.minimum(places, len(hits))].mean())
+    return float(np.append(precision, 0.0)[np.minimum(places, len(order))].mean())
 
 
 class Scorer:
     """Collects images, then gives AP by class, overlap and size. Boxes are corners [px of the image]."""
 
     def __init__(self, names, sizes=SIZES):
-        self.names, self.sizes = names, sizes
-        self.rows = {(c, s): [] for c in range(len(names)) for s in sizes}
-        self.bodies = dict.fromkeys(self.rows, 0)
+        self.names, self.sizes, self.images = names, sizes, 0
+        self.rows = {(c, s): [] for c in range(len(names)) for s in sizes}  # (image, hits, scores, bodies)
 
     def add(self, detections, boxes, classes):
         for c in range(len(self.names)):
@@ -72,22 +71,39 @@ class Scorer:
                 hits = matched(found, true, ignored)
                 outside = ~((areas_of(found) >= least) & (areas_of(found) < most))
                 hits[(hits == 0) & outside[None]] = -1
-                self.rows[c, size].append((hits, detections.scores[mine]))
-                self.bodies[c, size] += int((~ignored).sum())
+                self.rows[c, size].append((self.images, hits, detections.scores[mine], int((~ignored).sum())))
+        self.images += 1
 
-    def table(self, size="all"):
+    def bodies(self, c, size="all"):
+        return sum(row[3] for row in self.rows[c, size])
+
+    def table(self, size="all", image_weights=None):
         """AP by class (rows) and overlap; NaN rows for classes without bodies."""
+        weights = np.ones(self.images) if image_weights is None else image_weights
         result = np.full((len(self.names), len(OVERLAPS)), np.nan)
         for c in range(len(self.names)):
             if not self.rows[c, size]:
                 continue
-            hits = np.concatenate([h for h, _ in self.rows[c, size]], 1)
-            scores = np.concatenate([s for _, s in self.rows[c, size]])
-            result[c] = [average_precision(row, scores, self.bodies[c, size]) for row in hits]
+            image, hits, scores, bodies = zip(*self.rows[c, size])
+            of_image = weights[list(image)]
+            of_detection = np.repeat(of_image, [len(s) for s in scores])
+            hits, scores = np.concatenate(hits, 1), np.concatenate(scores)
+            result[c] = [average_precision(row, scores, of_image @ bodies, of_detection) for row in hits]
         return result
 
-    def summary(self, size="all"):
+    def summary(self, size="all", image_weights=None):
         """mAP50 and mAP50-95 over the classes that have bodies; NaN without any."""
-        table = self.table(size)
+        table = self.table(size, image_weights)
         known = table[~np.isnan(table[:, 0])]
         return (float(known[:, 0].mean()), float(known.mean())) if len(known) else (np.nan, np.nan)
+
+    def intervals(self, scenes, resamples=200):
+        """95 % intervals of both: the scenes drawn again and again (Efron 1979), the same for the same images.
+        `scenes`: of each image; what is in one scene is no second proof."""
+        known, scene = np.unique(scenes, return_inverse=True)
+        rng = np.random.default_rng(1)
+        draws = []
+        for _ in range(resamples):
+            times = np.bincount(rng.integers(len(known), size=len(known)), minlength=len(known))
+            draws.append(self.summary(image_weights=times[scene]))
+        return [tuple(np.nanpercentile([d[i] for d in draws], (2.5, 97.5))) for i in range(2)]

@@ -68,7 +68,7 @@ def score_table(scorer):
     tables = {size: scorer.table(size) for size in scorer.sizes}
     for c, name in enumerate(scorer.names):
         values = [tables["all"][c, 0], tables["all"][c].mean(), *(tables[s][c].mean() for s in sizes)]
-        lines.append(f"| {name} | {scorer.bodies[c, 'all']} | " + " | ".join(map(cell, values)) + " |")
+        lines.append(f"| {name} | {scorer.bodies(c)} | " + " | ".join(map(cell, values)) + " |")
     values = [*scorer.summary(), *(scorer.summary(s)[1] for s in sizes)]
-    bodies = sum(scorer.bodies[c, "all"] for c in range(len(scorer.names)))
+    bodies = sum(map(scorer.bodies, range(len(scorer.names))))
     return "\n".join([*lines, f"| **all** | {bodies} | " + " | ".join(map(cell, values)) + " |"])

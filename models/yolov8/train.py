@@ -8,6 +8,7 @@ import torch
 from . import checkpoint
 from .augment import Augmentation
 from .average import Average
+from .average_precision import ALL
 from .evaluate import runner, score
 from .loader import Loader, network_input
 from .loss import detection_loss
@@ -17,6 +18,7 @@ from .schedule import Plan, rate_factor
 SAVE_SECONDS = 120
 LONGEST_GRADIENT = 10.0
 WEIGHT_DECAY = {"adamw": 0.02, "sgd": 0.0005}
+SMALL = 0.5
 STATE = ("epoch", "step", "seconds", "best")
 RATES = {"adamw": 0.002, "sgd": 0.01}
 
@@ -35,6 +37,7 @@ class Settings:
     rate: float = None           # highest learning rate; None: the optimizer's usual
     mosaic: float = 1.0          # share of samples made of four images
     plain: float = 0.1           # last share of the training, which sees no mosaics
+    small: float = 0.0           # first share of the training, whose images have half the size: four times as many fit
     validate: int = 5            # epochs from one validation to the next
     workers: int = 1             # threads that make batches
     bf16: bool = False
@@ -99,8 +102,9 @@ class Training:
         return self.plan.progress(steps, len(self.loader), self.seconds)
 
     def augmentation_at(self, step):
-        plain = self.progress(step) >= 1 - self.settings.plain
-        return Augmentation(mosaic=0.0 if plain else self.settings.mosaic)
+        progress = self.progress(step)
+        return Augmentation(mosaic=self.settings.mosaic if progress < 1 - self.settings.plain else 0.0,
+                            zoom=SMALL if progress < self.settings.small else 1.0)
 
     def take_step(self, images, bodies):
         for group in self.optimizer.param_groups:
@@ -144,8 +148,7 @@ class Training:
         done = self.progress() >= 1
         if done or (self.epoch + 1) % self.settings.validate == 0:
             began = time.monotonic()
-            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation,
-                                                  self.settings.batch).summary()
+            row["map50"], row["map50_95"] = score(runner(self.average.network), self.validation, sizes=ALL).summary()
             self.seconds += time.monotonic() - began
         self.history.append(row)
         self.epoch, self.step, self.losses = self.epoch + 1, 0, torch.zeros(3)

@@ -79,6 +79,17 @@ def test_same_seed_same_sample():
     assert np.array_equal(a.image, b.image) and np.array_equal(a.boxes, b.boxes)
 
 
+@pytest.mark.parametrize("mosaic", [0, 1])
+def test_zoomed_sample_is_smaller_with_its_bodies(mosaic):
+    settings = Augmentation(mosaic=mosaic, scale=0, shift=0, mirror=0, hue=0, saturation=0, value=0, zoom=0.5)
+    sample = augmented(OneBodyEach(), 1, settings, np.random.default_rng(8))
+    assert sample.image.shape == (32 * 2, 32 * 2, 3)  # 80 x 48 in multiples of 32; halves go to the even one
+    assert len(sample.boxes)
+    for box, class_ in zip(np.round(sample.boxes).astype(int), sample.classes):
+        assert (box[2:] - box[:2] <= (21, 29)).all()  # 40 x 55 at most, halved
+        assert coloured(sample.image, class_)[box[1] + 1:box[3] - 1, box[0] + 1:box[2] - 1].all()
+
+
 def test_mirrored_box_is_mirrored():
     sample = mirrored(OneBodyEach().samples[0])
     np.testing.assert_allclose(sample.boxes, [[100, 15, 140, 70]])

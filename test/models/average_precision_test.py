@@ -131,3 +131,30 @@ def test_average_precision_is_its_definition(seed):
 def test_detections_that_do_not_count_change_nothing():
     hits, scores = np.array([1, 0, -1, 1]), np.array([0.9, 0.8, 0.7, 0.6])
     assert average_precision(hits, scores, 3) == average_precision(hits[hits >= 0], scores[hits >= 0], 3)
+
+
+def test_image_that_counts_twice_is_as_if_it_were_there_twice():
+    random = np.random.default_rng(7)
+    images = []
+    for _ in range(6):
+        corner = random.uniform(0, 50, 2)
+        body = tuple(np.concatenate([corner, corner + 20]))
+        images.append((found((np.array(body) + random.normal(0, 2, 4), random.random(), 0),
+                             (np.array([0, 0, 20, 20.0]), random.random(), 0)), [(body, 0)]))
+    weights = np.array([2, 0, 1, 1, 3, 0])
+    repeated = [image for image, times in zip(images, weights) for _ in range(times)]
+    assert scored(images).summary(image_weights=weights) == pytest.approx(scored(repeated).summary())
+
+
+def interval(images, scenes):
+    scorer = scored(images)
+    (low, high), _ = scorer.intervals(scenes)
+    assert low < scorer.summary()[0] < high
+    return high - low
+
+
+def test_interval_narrows_with_more_images_but_not_with_more_of_the_same():
+    hit, miss = (found((BODY, 0.9, 0)), [(BODY, 0)]), (found(), [(BODY, 0)])
+    few = interval([hit, miss] * 5, range(10))
+    assert interval([hit, miss] * 80, range(160)) == pytest.approx(few / 4, rel=0.3)  # by the square root of their number
+    assert interval([hit, miss] * 80, [i % 10 for i in range(160)]) == pytest.approx(few, rel=0.3)

@@ -2,11 +2,10 @@ import os
 import pathlib
 import sys
 
-import pytest
-
 os.environ["OMP_WAIT_POLICY"] = "PASSIVE"  # before torch: its threads would else spin, which a busy machine makes slow
 
-torch = pytest.importorskip("torch", reason="python3-torch is not installed")
+import pytest  # noqa: E402
+import torch  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "models"), str(pathlib.Path(__file__).parent)]

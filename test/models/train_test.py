@@ -61,8 +61,8 @@ def test_interrupted_training_ends_as_one_without_interruption(uninterrupted, sh
 def test_training_learns(shapes_folder, tmp_path):
     """Eight pictures of three kinds of shapes, learnt by heart."""
     data = Dataset(shapes_folder, "val", SIZE)
-    training = train.Training(train.Settings(epochs=120, width=0.125, size=SIZE, batch=8, validate=120), data, data, tmp_path,
-                              Silent(), "cpu")
+    settings = train.Settings(epochs=60, width=0.125, size=SIZE, batch=4, validate=60, rate=0.005)
+    training = train.Training(settings, data, data, tmp_path, Silent(), "cpu")
     training.augmentation_at = lambda step: Augmentation(0, 0, 0, 0, 0, 0, 0)
     before = score(runner(training.average.network), data).summary()[0]
     training.run()
