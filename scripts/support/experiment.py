@@ -26,6 +26,9 @@ class Experiment:
         self.given, self.session, self.folder = given, session, folder
         self.quick, self.seeds = given.quick, range(1, (1 if given.quick else given.seeds) + 1)
 
+    def say(self, text):
+        print(text, flush=True)
+
     def bag(self, world, seconds, seed, *more):
         """Of a world (a dictionary), with the sensors as bad as was asked for."""
         file = sim_world.write(sim_world.degraded(world, self.given.degrade), self.folder)

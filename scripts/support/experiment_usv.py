@@ -5,6 +5,7 @@ import pathlib
 import stage_run
 import usv_harbour
 import usv_positions
+import usv_report
 
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
@@ -17,12 +18,17 @@ def options(parser):
     parser.add_argument("--model", type=pathlib.Path, help=f"ONNX file of the detector (default: {MODEL} of the package)")
     parser.add_argument("--detections", choices=("model", "truth"), default="model",
                         help="truth: what the simulated picture truly shows stands in for the detector")
+    parser.add_argument("--places", nargs="+", metavar="PLACE", help="only these places of table1 (0200 ...) and far (0 ... 29)")
     parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="of the experiment (default: all)")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
 
 
 def check(given):
     """Sets the model, None for the truth. Raises ValueError where there is none: the truth never stands in silently."""
+    known = {str(place) for part in (usv_positions.TABLE, usv_positions.FURTHER) for place in part.places}
+    unknown = set(given.places or []) - known
+    if unknown:
+        raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known, key=lambda p: (-len(p), p)))}")
     if given.detections == "truth":
         if given.model:
             raise ValueError("--model and --detections truth exclude one another")
@@ -36,9 +42,18 @@ def check(given):
 def run(experiment):
     given = experiment.given
     if not given.model:
-        print("DETECTIONS ARE THE TRUTH of the simulator, not a detector's", flush=True)
-    for part in (usv_positions.TABLE, usv_positions.FURTHER):
-        if part.name in given.parts:
-            yield from usv_positions.run(experiment, METHODS, part)
-    if "harbour" in given.parts:
-        yield from usv_harbour.report(usv_harbour.run(experiment, METHODS, HARBOUR))
+        experiment.say("DETECTIONS ARE THE TRUTH of the simulator, not a detector's")
+    measured = [(part, usv_positions.run(experiment, METHODS, part)) for part in (usv_positions.TABLE, usv_positions.FURTHER)
+                if part.name in given.parts and usv_positions.chosen(experiment, part)]
+    tallies = usv_harbour.run(experiment, METHODS, HARBOUR) if "harbour" in given.parts else {}
+    for part, rows in measured:
+        experiment.table(f"usv_{part.name}", usv_report.COLUMNS, usv_report.csv_rows(rows))
+        yield from usv_report.table(rows) if part is usv_positions.TABLE else usv_report.far_table(rows)
+    if measured and given.out:
+        usv_report.plot(measured, experiment.folder / "usv_errors.png")
+    if tallies:
+        experiment.table("usv_harbour", usv_harbour.COLUMNS, usv_harbour.csv_rows(tallies))
+        yield from usv_harbour.table(tallies)
+    for part, rows in measured:
+        yield from usv_report.lines(part, rows)
+    yield from usv_harbour.lines(tallies)

@@ -54,7 +54,8 @@ def play(session, recording, folder, model=None, rate=10.0, every=1, also=None):
         stamp, messages = frames[place]
         if "/tf_static" in messages:
             steps.transform(messages["/tf_static"])
-        answer = steps.answer(messages, dict.fromkeys(answers, stamp), PATIENCE)
+        sent = [(topic, messages[topic]) for topic in inputs if topic in messages]
+        answer = steps.answer(sent, dict.fromkeys(answers, stamp), PATIENCE)
         if answer is None:
             raise SessionError(f"no answer to frame {place} of {recording} within {PATIENCE:.0f} s")
         yield place, answer

@@ -9,10 +9,12 @@ LISTENING = 0.5  # s of wall time: nobody says when he has heard of a new transf
 
 
 class LockStep:
-    """Publishes on `topics` {topic: type}, in their order, and waits in each frame for a message on each of `answers`
-    {topic: type}; of obstacles for the last revision. `static`: the transforms at the start. Needs an initialised node."""
+    """Publishes on `topics` {topic: type} and waits in each frame for a message on each of `answers`
+    {topic: type}; of obstacles for the last revision. `static`: the transforms at the start. `listeners` {topic: how many}
+    where there is more than one. Needs an initialised node."""
 
-    def __init__(self, topics, static, answers):
+    def __init__(self, topics, static, answers, listeners=None):
+        self.listeners = listeners or {}
         self.publishers = {topic: rospy.Publisher(topic, kind, queue_size=10) for topic, kind in topics.items()}
         self.static = rospy.Publisher("/tf_static", type(static), queue_size=1, latch=True)
         self.static.publish(static)
@@ -23,7 +25,8 @@ class LockStep:
 
     def connected(self):
         """True when stages listen to every input, and to the transforms, and this to every output."""
-        return (all(p.get_num_connections() > 0 for p in (*self.publishers.values(), self.static))
+        publishers = {**self.publishers, "/tf_static": self.static}
+        return (all(p.get_num_connections() >= self.listeners.get(topic, 1) for topic, p in publishers.items())
                 and all(s.get_num_connections() > 0 for s in self.subscribers))
 
     def transform(self, static):
@@ -32,11 +35,10 @@ class LockStep:
         time.sleep(LISTENING)
 
     def answer(self, messages, stamps, seconds):
-        """{topic: message} of a frame, each with its stamp in `stamps` {topic: stamp}; None when the last of it is not
-        in by `seconds` of wall time."""
-        for topic, publisher in self.publishers.items():
-            if topic in messages:
-                publisher.publish(messages[topic])
+        """Sends `messages` [(topic, message)] in their order. {topic: message} of the answers, each with its stamp in
+        `stamps` {topic: stamp}; None when the last of it is not in by `seconds` of wall time."""
+        for topic, message in messages:
+            self.publishers[topic].publish(message)
         with self.changed:
             if not self.changed.wait_for(lambda: all(stamp in self.answers[topic] for topic, stamp in stamps.items()), seconds):
                 return None

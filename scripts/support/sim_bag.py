@@ -11,17 +11,32 @@ import poses
 
 POINT = numpy.dtype([("x", "f4"), ("y", "f4"), ("z", "f4"), ("body", "i4"), ("range", "f4")])  # of truth/.../points
 FARTHEST = 0.05  # s between a cloud and the picture that goes with it
-KEPT = 5  # pictures that wait for their cloud
+KEPT = 10  # pictures that wait for their cloud
+IMAGE = "/camera/image_raw"
+PARTS = ("/camera/camera_info", IMAGE, "/truth/camera/detections", "/truth/camera/labels")  # of a picture
+SENSED = ("/tf_static", "/truth/tf_static", "/truth/pose", "/truth/bodies", "/lidar/points", "/truth/lidar/points")
 
 
 class Frame(typing.NamedTuple):
     """Of one cloud. What is true is in the LiDAR's true frame at the cloud's stamp."""
     stamp: object
-    inputs: dict  # {topic: message} for the stages
+    cloud: object  # PointCloud2
+    pictures: list  # that came since the cloud before, in their order
+    picture: object  # the nearest in time; None without
     points: numpy.ndarray  # POINT, of every return: x y z as measured
     bodies: dict  # {id: Body}
-    detections: object  # ImageDetectionArray: what the picture truly shows; None without picture
-    labels: object  # rows x columns: id of each pixel's body, -1 none; None where the bag has none
+
+
+class Picture(typing.NamedTuple):
+    stamp: object
+    info: object
+    image: object  # None where images were not asked for
+    detections: object  # ImageDetectionArray: what it truly shows
+    labels: object  # Image: id + 1 of each pixel's body; None where the bag has none
+
+    def ids(self):
+        """Rows x columns: id of each pixel's body, -1 none."""
+        return numpy.frombuffer(self.labels.data, numpy.uint16).reshape(self.labels.height, self.labels.width).astype(int) - 1
 
 
 class Body(typing.NamedTuple):
@@ -32,21 +47,14 @@ class Body(typing.NamedTuple):
     ground: float  # m, height of the box's middle over the world's z = 0
 
 
-class Picture(typing.NamedTuple):
-    info: object
-    image: object
-    detections: object
-    labels: object
-
-
-def frames(bag_file, pictures, shift=0):
-    """Frames in their order. With `pictures` the images are among the inputs. All stamps are `shift` whole seconds
+def frames(bag_file, images, shift=0):
+    """Frames in their order. Pictures have an image where `images` are asked for. All stamps are `shift` whole seconds
     later than in the bag."""
-    reader = _Reader(shift)
-    topics = {"/tf_static", "/truth/tf_static", "/truth/pose", "/truth/bodies", "/lidar/points", "/truth/lidar/points",
-              "/camera/camera_info", "/truth/camera/detections", "/truth/camera/labels"}
     with rosbag.Bag(str(bag_file)) as bag:
-        for topic, message, _ in bag.read_messages(topics=sorted(topics | ({"/camera/image_raw"} if pictures else set()))):
+        there = bag.get_type_and_topic_info().topics.keys()
+        wanted = {topic for topic in PARTS if topic in there and (images or topic != IMAGE)}
+        reader = _Reader(shift, wanted)
+        for topic, message, _ in bag.read_messages(topics=[*SENSED, *sorted(wanted)]):
             frame = reader.take(topic, message)
             if frame:
                 yield frame
@@ -58,15 +66,14 @@ def static_transforms(bag_file):
 
 
 class _Reader:
-    def __init__(self, shift):
-        self.shift, self.mount = genpy.Duration(shift), None
-        self.poses, self.points = [], {}
-        self.bodies = collections.deque(maxlen=KEPT)
-        self.pictures = collections.defaultdict(dict)  # {stamp: {topic: message}}
+    def __init__(self, shift, wanted):
+        self.shift, self.wanted, self.mount = genpy.Duration(shift), wanted, None
+        self.poses, self.points, self.fresh, self.parts = [], {}, [], {}
+        self.bodies, self.pictures = collections.deque(maxlen=KEPT), collections.deque(maxlen=KEPT)
 
     def take(self, topic, message):
         """The frame that this message completes, else None."""
-        if topic.endswith("tf_static"):  # the true one, where there is one, comes last
+        if topic.endswith("tf_static"):  # the true one comes last
             self.mount = next(poses.matrix(t.transform.translation, t.transform.rotation)
                               for t in message.transforms if t.child_frame_id == "lidar")
             return None
@@ -80,19 +87,24 @@ class _Reader:
         elif topic == "/lidar/points":
             return self._frame(message)
         else:
-            self.pictures[message.header.stamp][topic] = message
-            while len(self.pictures) > KEPT:
-                del self.pictures[min(self.pictures)]
+            self.parts[topic] = message
+            if self.wanted <= self.parts.keys():
+                self._picture(message.header.stamp)
         return None
+
+    def _picture(self, stamp):
+        picture = Picture(stamp, *map(self.parts.get, PARTS))
+        self.parts = {}
+        self.fresh.append(picture)
+        self.pictures.append(picture)
 
     def _frame(self, cloud):
         stamp = cloud.header.stamp
-        near = min(self.pictures, key=lambda other: abs((other - stamp).to_sec()), default=None)
-        picture = self.pictures[near] if near and abs((near - stamp).to_sec()) <= FARTHEST else {}
-        inputs = {topic: picture[topic] for topic in ("/camera/camera_info", "/camera/image_raw") if topic in picture}
-        labels = picture.get("/truth/camera/labels")
-        return Frame(stamp, {**inputs, "/lidar/points": cloud}, self.points.pop(stamp), self._bodies(stamp.to_sec()),
-                     picture.get("/truth/camera/detections"), labels and _ids(labels))
+        off = lambda picture: abs((picture.stamp - stamp).to_sec())
+        near = min(self.pictures, key=off, default=None)
+        fresh, self.fresh = self.fresh, []
+        return Frame(stamp, cloud, fresh, near if near and off(near) <= FARTHEST else None, self.points.pop(stamp),
+                     self._bodies(stamp.to_sec()))
 
     def _bodies(self, time):
         T_lidar_world = numpy.linalg.inv(self._base(time) @ self.mount)
@@ -114,6 +126,3 @@ class _Reader:
         (t0, before), (t1, after) = self.poses[place - 1:place + 1]
         return poses.between(poses.of_message(before), poses.of_message(after), (time - t0) / (t1 - t0))
 
-
-def _ids(labels):
-    return numpy.frombuffer(labels.data, numpy.uint16).reshape(labels.height, labels.width).astype(int) - 1

@@ -29,7 +29,7 @@ class Stages:
 
     def __init__(self, session, folder, methods, changes, model):
         self.session, self.methods, self.model = session, list(methods), model
-        self.bags, self.steps = 0, None
+        self.bags, self.steps, self.detections = 0, None, {}
         robot = folder / "robot.yaml"
         wrote = stage_run.patient_robot(robot, True, changes)
         self.detect = {**stage_run.defaults("detect"), **wrote.get("detect", {})}
@@ -47,31 +47,44 @@ class Stages:
         if not self.steps:
             self._connect(sim_bag.static_transforms(bag))
         self.bags += 1
-        for frame in sim_bag.frames(bag, pictures=bool(self.model), shift=BETWEEN * self.bags):
-            if frame.detections:
+        for frame in sim_bag.frames(bag, images=bool(self.model), shift=BETWEEN * self.bags):
+            if frame.picture:
                 yield self._answer(frame)
 
     def _connect(self, static):
         detect = {"/detections": ImageDetectionArray} if self.model else {}
         unused = {"/detections"} if self.model else {"/camera/camera_info", "/camera/image_raw"}
-        answers = {f"/{name}/{topic}": kind for name in self.methods
-                   for topic, kind in (("obstacles", ObstacleArray), ("clusters", ClusterArray))}
+        self.answers = {f"/{name}/{topic}": kind for name in self.methods
+                        for topic, kind in (("obstacles", ObstacleArray), ("clusters", ClusterArray))}
         self.steps = LockStep({topic: kind for topic, kind in INPUTS.items() if topic not in unused}, static,
-                              {**answers, **detect})
+                              {**self.answers, **detect},
+                              dict.fromkeys(("/lidar/points", "/detections", "/tf_static"), len(self.methods)))
         self.session.require(self.steps.connected, stage_run.PATIENCE, "the stages did not start", *self.launches)
 
     def _answer(self, frame):
-        inputs = dict(frame.inputs)
-        if not self.model:
-            inputs["/detections"] = stand_in.seen(frame.detections, frame.inputs["/camera/camera_info"], self.detect)
-        stamps = {topic: inputs["/camera/image_raw"].header.stamp if topic == "/detections" else frame.stamp
-                  for topic in self.steps.answers}
-        answer = self.steps.answer(inputs, stamps, stage_run.PATIENCE)
-        if answer is None:
-            raise SessionError(f"no answer to the cloud of {frame.stamp.to_sec():.1f} s within {stage_run.PATIENCE:.0f} s")
-        return Answer(frame, answer["/detections"] if self.model else inputs["/detections"],
+        for picture in frame.pictures:
+            self.detections[picture.stamp] = self._detected(picture)
+            while len(self.detections) > sim_bag.KEPT:
+                del self.detections[min(self.detections)]
+        answer = self._wait([("/lidar/points", frame.cloud)], dict.fromkeys(self.answers, frame.stamp))
+        return Answer(frame, self.detections[frame.picture.stamp],
                       {name: answer[f"/{name}/obstacles"] for name in self.methods},
                       {name: answer[f"/{name}/clusters"] for name in self.methods})
+
+    def _detected(self, picture):
+        """One at a time: the detector takes the newest picture and leaves out those before."""
+        if not self.model:
+            detections = stand_in.seen(picture.detections, picture.info, self.detect)
+            self._wait([("/detections", detections)], {})
+            return detections
+        messages = [("/camera/camera_info", picture.info), ("/camera/image_raw", picture.image)]
+        return self._wait(messages, {"/detections": picture.stamp})["/detections"]
+
+    def _wait(self, messages, stamps):
+        answer = self.steps.answer(messages, stamps, stage_run.PATIENCE)
+        if answer is None:
+            raise SessionError(f"no answer on {', '.join(stamps)} within {stage_run.PATIENCE:.0f} s")
+        return answer
 
     def close(self):
         if self.steps:

@@ -31,8 +31,8 @@ class Scene:
     def __init__(self, answer):
         frame = answer.frame
         self.labels = {number: body.label for number, body in frame.bodies.items() if body.label}
-        self.boxes = pixel_boxes(frame.labels, self.labels)
-        self.shown = {number: d.score for number, d in self._matched(frame.detections.detections, self.boxes)}
+        self.boxes = pixel_boxes(frame.picture.ids(), self.labels)
+        self.shown = {number: d.score for number, d in self._matched(frame.picture.detections.detections, self.boxes)}
         self.detected = self._detected(answer.detections.detections)
         self.hits = self._hits(frame.points)
         rows = numpy.stack([frame.points[axis] for axis in "xyz"], axis=1)
@@ -127,6 +127,7 @@ SYSTEMS = ("optimal", "paper", "camera_only", "lidar_only")
 RATES = {  # figure: (counted, of)
     "match_precision": ("right", "matches"), "match_recall": ("matched", "matchable"),
     "recall": ("found", "asked"), "precision": ("correct", "told"), "wrong_class": ("misnamed", "named")}
+COLUMNS = ("system", "seed", *RATES)
 
 
 def tell(scene, answer, tallies):
@@ -144,7 +145,8 @@ def tell(scene, answer, tallies):
         tallies[method].pairs(scene, pairs)
     tallies["camera_only"].bodies(scene, [(scene.detected.get(d.id), d.label) for d in answer.detections.detections])
     clusters = Clusters(answer.clusters["optimal"])
-    tallies["lidar_only"].bodies(scene, [(scene.body_of_points(points), "") for points in clusters.arrays])
+    tallies["lidar_only"].bodies(scene, [(scene.body_of_points(points), "") for cluster, points
+                                         in zip(clusters.messages, clusters.arrays) if not cluster.faint])
 
 
 def run(experiment, methods, changes):
@@ -172,9 +174,9 @@ def rate(tallies, name):
     return sum(getattr(tally, counted) for tally in tallies) / total if total else math.nan
 
 
-def report(tallies):
-    """The table, a row a system, mean and standard deviation over the seeds, and the figures."""
-    yield f"{'system':12} " + " ".join(f"{name:>17}" for name in RATES)
+def table(tallies):
+    """A row a system, mean and standard deviation over the seeds."""
+    yield f"{'harbour':12} " + " ".join(f"{name:>17}" for name in RATES)
     for system, seeds in tallies.items():
         cells = []
         for name in RATES:
@@ -182,6 +184,14 @@ def report(tallies):
             spread = statistics.stdev(values) if len(values) > 1 else math.nan
             cells.append(f"{statistics.fmean(values):8.3f} +- {spread:5.3f}" if values else "-".rjust(17))
         yield f"{system:12} " + " ".join(cells)
+
+
+def csv_rows(tallies):
+    return [(system, seed, *(rate(stretches, name) for name in RATES))
+            for system, seeds in tallies.items() for seed, stretches in enumerate(seeds, 1)]
+
+
+def lines(tallies):
     for system, seeds in tallies.items():
         stretches = [tally for seed in seeds for tally in seed]
         for name, (_, of) in RATES.items():

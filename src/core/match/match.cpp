@@ -22,15 +22,6 @@ double distance2(const Obstacle& a, const Obstacle& b) {
   return difference.dot(covariance.ldlt().solve(difference));
 }
 
-/// Of what is seen: what 1 % of the points are nearer than, because single returns before a body are errors.
-Eigen::Vector3d faceOf(std::vector<Point>& points) {
-  const auto place = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 100);
-  std::nth_element(points.begin(), place, points.end(), [](const Point& a, const Point& b) {
-    return a.position().squaredNorm() < b.position().squaredNorm();
-  });
-  return place->position().cast<double>();
-}
-
 }  // namespace
 
 void Matcher::setParams(const MatchParams& params) {
@@ -137,7 +128,7 @@ void Matcher::addBodies(const std::vector<Point>& points,
         complete(obstacles_.back(), *outline);
         continue;
       }
-    if (!seen_points_.empty()) obstacles_.back().face = faceOf(seen_points_);
+    if (!seen_points_.empty()) obstacles_.back().face = nearestOf(seen_points_);
   }
 }
 

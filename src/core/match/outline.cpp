@@ -43,26 +43,15 @@ Span heightsOf(const std::vector<Point>& points, const CameraTarget& target, con
   return seen.low < seen.high ? seen : span;
 }
 
-/// Of an upright body whose foot on the plane nearest to the origin is known.
-Eigen::Vector3d nearestOf(const Eigen::Vector2d& foot, const Span& span) {
-  return {foot.x(), foot.y(), std::clamp(0.0, span.low, span.high)};
-}
-
-Eigen::Vector2d nearestOf(const BoxFit& box) {
-  const Eigen::Rotation2Dd turn(box.yaw);
-  const Eigen::Vector2d origin = turn.inverse() * -box.centre, half = 0.5 * box.size;
-  return box.centre + turn * origin.cwiseMax(-half).cwiseMin(half);
-}
-
-Outline outlineOf(const Eigen::Vector2d& centre, const Eigen::Matrix2d& covariance,
-                  const Eigen::Vector2d& size, const Eigen::Vector2d& foot, const Span& span, double noise) {
+/// Horizontal centre with its covariance, and size.
+Outline upright(const Eigen::Vector2d& centre, const Eigen::Matrix2d& covariance, const Eigen::Vector2d& size,
+                const Span& span, double noise) {
   Outline out;
   out.centre << centre, 0.5 * (span.low + span.high);
   out.size << size, span.high - span.low;
   out.covariance.setZero();
   out.covariance.topLeftCorner<2, 2>() = 0.5 * (covariance + covariance.transpose());
   out.covariance(2, 2) = noise * noise + out.size.z() * out.size.z() / 12.0;
-  out.face = nearestOf(foot, span);
   return out;
 }
 
@@ -73,27 +62,44 @@ void OutlineFitter::setParams(const ShapeParams& params, double noise) {
   noise_ = noise;
 }
 
-std::optional<Outline> OutlineFitter::run(const std::vector<Point>& seen, const CameraTarget& target,
+Eigen::Vector3d nearestOf(std::vector<Point>& seen) {
+  const auto place = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 100);
+  std::nth_element(seen.begin(), place, seen.end(), [](const Point& a, const Point& b) {
+    return a.position().squaredNorm() < b.position().squaredNorm();
+  });
+  return place->position().cast<double>();
+}
+
+std::optional<Outline> OutlineFitter::run(std::vector<Point>& seen, const CameraTarget& target,
                                           const Transform& T_view_lidar) {
   const ClassShape shape = shapeOf(target.label, params_);
   if (!shape.isKnown() || seen.empty()) return std::nullopt;
-  const Transform T_lidar_view = T_view_lidar.inverse();
-  if (shape.isRound()) {
-    const RoundFit fit =
-        round_.fit(seen, {0.5 * shape.diameter, 0.5 * shape.net, params_.size_spread, noise_});
-    if (!fit.centre.allFinite()) return std::nullopt;
-    const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
-    const double away = std::max(0.0, fit.centre.norm() - fit.radius);
-    const Eigen::Vector2d foot = away * fit.centre.normalized();
-    return outlineOf(fit.centre, fit.covariance, Eigen::Vector2d::Constant(2.0 * fit.radius), foot, span,
-                     noise_);
-  }
+  return shape.isRound() ? round(seen, shape, target, T_view_lidar.inverse())
+                         : box(seen, shape, target, T_view_lidar.inverse());
+}
+
+std::optional<Outline> OutlineFitter::round(const std::vector<Point>& seen, const ClassShape& shape,
+                                            const CameraTarget& target, const Transform& T_lidar_view) {
+  const RoundFit fit =
+      round_.fit(seen, {0.5 * shape.diameter, 0.5 * shape.net, params_.size_spread, noise_});
+  if (!fit.centre.allFinite()) return std::nullopt;
+  const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
+  Outline out = upright(fit.centre, fit.covariance, Eigen::Vector2d::Constant(2.0 * fit.radius), span, noise_);
+  const double away = std::max(0.0, fit.centre.norm() - fit.radius);
+  out.face << away * fit.centre.normalized(), std::clamp(0.0, span.low, span.high);
+  return out;
+}
+
+Outline OutlineFitter::box(std::vector<Point>& seen, const ClassShape& shape, const CameraTarget& target,
+                           const Transform& T_lidar_view) {
   const BoxFit fit = completed(box_.fit(seen.data(), seen.size()), shape, params_.size_spread, noise_);
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(fit.yaw).toRotationMatrix();
   const Eigen::Vector2d sight = fit.centre.normalized();
   const double half_depth = 0.5 * (sight.transpose() * turn * fit.size.asDiagonal()).cwiseAbs().sum();
   const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, half_depth);
-  return outlineOf(fit.centre, fit.covariance, turn.cwiseAbs() * fit.size, nearestOf(fit), span, noise_);
+  Outline out = upright(fit.centre, fit.covariance, turn.cwiseAbs() * fit.size, span, noise_);
+  out.face = nearestOf(seen);
+  return out;
 }
 
 }  // namespace field_fusion::core

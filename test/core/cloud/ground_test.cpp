@@ -236,6 +236,41 @@ TEST(Ground, WhatIsBelowIsJudgedFromTheSurface) {
   EXPECT_GT(dropped.ground.size(), road * 98 / 100);
 }
 
+/// Ground whose intensity falls with the grazing angle from `brightness` hit squarely, 1.3 m below the sensor,
+/// and 30 points of intensity `float_brightness` of a pipe that reaches 0.1 m above it.
+Cloud harbour(float brightness, float float_brightness) {
+  Cloud cloud = test::floor(3000, -1.3f, 0.f, 0.02f);
+  for (Point& p : cloud) p.intensity = brightness * 1.3f / p.position().norm();
+  for (int i = 0; i < 30; ++i) {
+    cloud.push_back(at(9, 0.1f * static_cast<float>(i), -1.2f));
+    cloud.back().intensity = float_brightness;
+  }
+  return cloud;
+}
+
+TEST(Ground, WhatIsBrighterThanWaterFloats) {
+  GroundParams params;
+  EXPECT_EQ(part(harbour(0.5f, 12.f), params).obstacles.size(), 0u);
+  params.bright = 3.0;
+  EXPECT_EQ(part(harbour(0.5f, 12.f), params).obstacles.size(), 30u);
+  EXPECT_EQ(part(harbour(0.5f, 2.f), params).obstacles.size(), 0u);
+}
+
+// concrete hit squarely sends back as much as a pipe does
+TEST(Ground, OnLandBrightnessTellsNothing) {
+  GroundParams params;
+  params.bright = 3.0;
+  EXPECT_EQ(part(harbour(25.f, 40.f), params).obstacles.size(), 0u);
+  EXPECT_EQ(part(harbour(25.f, 60.f), params).obstacles.size(), 30u);
+}
+
+TEST(Ground, AnIntensityThatIsNotKnownIsNotBright) {
+  GroundParams params;
+  params.bright = 3.0;
+  EXPECT_EQ(part(harbour(0.5f, kNaN), params).obstacles.size(), 0u);
+  EXPECT_EQ(part(harbour(kNaN, kNaN), params).obstacles.size(), 0u);
+}
+
 TEST(Ground, RefusesAnUpThatIsNoUnitVector) {
   GroundFinder finder;
   EXPECT_THROW(part(finder, {}, 0.0, Eigen::Vector3d(0, 0, 2)), std::invalid_argument);

@@ -43,6 +43,38 @@ TEST_P(MatcherTest, NothingGivesNothing) {
   EXPECT_TRUE(run({CameraView{}}).empty());
 }
 
+// the foot and the topmark of a buoy, whose nominal diameter is 0.8 m
+TEST_P(MatcherTest, PiecesOfABodyOfKnownSizeBecomeTheWholeByTheOptimalMethodAlone) {
+  const Solid foot{{8, -0.1, -1.2}, {8, 0.1, -0.9}}, top{{8, -0.1, -0.4}, {8, 0.1, -0.2}};
+  addCluster({foot}), addCluster({top});
+  CameraView view = viewOf(kLeft, {{{8, -0.4, -1.2}, {8.8, 0.4, -0.2}}});
+  view.targets[0].label = "buoy";
+  const auto& obstacles = run({view});
+  if (GetParam() == MatchMethod::kPaper) {
+    ASSERT_EQ(obstacles.size(), 2u);
+    EXPECT_TRUE(obstacles[0].joined.empty() && obstacles[1].joined.empty());
+    EXPECT_NEAR(obstacles[0].position.x(), 8.0, 1e-5);
+    EXPECT_NEAR(obstacles[0].face.norm(), std::hypot(8.0, 0.9), 0.02);
+    return;
+  }
+  ASSERT_EQ(obstacles.size(), 1u);
+  EXPECT_EQ(obstacles[0].joined.size(), 1u);
+  EXPECT_EQ(obstacles[0].cluster + obstacles[0].joined[0], 1);
+  EXPECT_NEAR(obstacles[0].position.x(), 8.4, 0.05);
+  EXPECT_NEAR(obstacles[0].position.y(), 0.0, 0.02);
+  EXPECT_NEAR(obstacles[0].size.y(), 0.8, 0.09);
+  EXPECT_NEAR(obstacles[0].polar.range, obstacles[0].position.norm(), 1e-9);
+  EXPECT_NEAR(obstacles[0].face.head<2>().norm(), 8.0, 0.03);
+}
+
+TEST_P(MatcherTest, TheFaceIsTheNearestOfWhatTheLidarSaw) {
+  addCluster({{{6, 1, -0.5}, {6, 3, 0.5}}});
+  const auto& obstacles = run({viewOf(kLeft, {personAt(30, -15)})});
+  ASSERT_EQ(obstacles.size(), 2u);
+  EXPECT_NEAR(obstacles[0].face.norm(), std::hypot(6.0, 1.0), 0.02);
+  EXPECT_TRUE(obstacles[1].face.array().isNaN().all());
+}
+
 TEST_P(MatcherTest, KeepsWhatOneSensorAloneSaw) {
   addCluster({personAt(5, 0)}), addCluster({personAt(9, 7)});
   const auto& obstacles = run({viewOf(kLeft, {personAt(30, -15), personAt(5, 0)})});

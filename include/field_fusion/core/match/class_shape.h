@@ -10,8 +10,8 @@ namespace field_fusion::core {
 struct ShapeParams {
   Table class_diameters{{"cage", 2.0}, {"buoy", 0.8}, {"bollard", 0.35}, {"cone", 0.3}, {"stool", 0.35}};
   Table class_nets{{"cage", 1.36}};
-  Table class_lengths{{"car", 4.4}, {"balloon_car", 0.8}};
-  Table class_widths{{"car", 1.8}, {"balloon_car", 1.6}};
+  Table class_lengths{{"boat", 6.0}, {"car", 4.4}, {"balloon_car", 0.8}};
+  Table class_widths{{"boat", 2.2}, {"car", 1.8}, {"balloon_car", 1.6}};
   double size_spread = 0.1;
 
   void declare(Params& p);
