@@ -9,7 +9,6 @@ namespace field_fusion::core::sim {
 namespace {
 
 constexpr float kEndless = std::numeric_limits<float>::infinity();
-constexpr float kVisibility = 6000.f;  // [m] in which haze takes 1 - 1/e
 constexpr float kMirrorReach = 200.f;  // [m] farther off water mirrors the sky alone
 constexpr float kFaint = 1e-5f;        // glitter that no sensor sees
 constexpr float kGlossPower = 80.f;    // of the highlight's lobe (Blinn 1977)
@@ -27,7 +26,8 @@ Shader::Shader(const World& world, float pixel_angle, bool reflections)
       ripples_(sky_.toSun()),
       water_(world.ground.kind == Ground::Kind::kWater),
       reflections_(reflections && water_),
-      pixel_angle_(pixel_angle) {
+      pixel_angle_(pixel_angle),
+      visibility_(static_cast<float>(world.light.visibility)) {
   const float sun_height = std::max(0.f, sky_.toSun().z());
   const Eigen::Vector3f light =
       sun_height * sky_.sun() + sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
@@ -42,7 +42,7 @@ float Shader::footprint(const Ray& ray, const Hit& hit) const {
 }
 
 Eigen::Vector3f Shader::hazed(const Eigen::Vector3f& colour, float range) const {
-  return colour + (1.f - std::exp(-range / kVisibility)) * (sky_.haze() - colour);
+  return colour + (1.f - std::exp(-range / visibility_)) * (sky_.haze() - colour);
 }
 
 Eigen::Vector3f Shader::surface(const Ray& ray, const Hit& hit, bool lit) const {

@@ -50,6 +50,7 @@ class Shader {
   Ripples ripples_;
   bool water_, reflections_;
   float pixel_angle_;
+  float visibility_;  // [m]
   Eigen::Vector3f bounce_, below_;  // light from the ground, and out of water
 };
 

@@ -19,29 +19,37 @@ float smoothStep(float low, float high, float x) {
   return t * t * (3.f - 2.f * t);
 }
 
-/// 0..1, fair-weather clouds on a plane far above.
-float cloudAt(const Eigen::Vector3f& d) {
+/// 0..1, clouds on a plane far above.
+float cloudAt(const Eigen::Vector3f& d, const Light& light) {
   if (d.z() < 0.03f) return 0.f;
-  const float spread = 1.6f / (d.z() + 0.12f);
-  const float noise = smoothNoise({spread * d.x(), 1.4f * spread * d.y(), 7.5f}, 4, 0.f);
-  return smoothStep(0.5f, 0.8f, noise) * smoothStep(0.03f, 0.2f, d.z());
+  const float spread = 1.6f / (static_cast<float>(light.cloud_size) * (d.z() + 0.12f));
+  const float layer = 7.5f + 11.3f * static_cast<float>(light.cloud_seed);
+  const float noise = smoothNoise({spread * d.x(), 1.4f * spread * d.y(), layer}, 4, 0.f);
+  const float edge = 0.9f - 0.8f * static_cast<float>(light.clouds);
+  return smoothStep(edge, edge + 0.3f, noise) * smoothStep(0.03f, 0.2f, d.z());
+}
+
+/// Colour of the sky's light on a level sheet: the whiter the more clouds.
+Eigen::Vector3f diffuse(const Light& light) {
+  const Eigen::Vector3f clear = 0.9f * light.zenith + 0.1f * light.horizon;
+  const float white = 0.36f + 0.64f * static_cast<float>(light.clouds);
+  return (1.f - white) / luminance(clear) * clear + Eigen::Vector3f::Constant(white);
 }
 
 }  // namespace
 
 Sky::Sky(const Light& light)
     : to_sun_(light.to_sun.normalized().cast<float>()),
-      sun_(tinted(static_cast<float>(light.sun), {1.06f, 1.f, 0.86f})),
-      ambient_(tinted(static_cast<float>(light.sky), {0.84f, 0.98f, 1.28f})) {
+      sun_(tinted(static_cast<float>(light.sun), light.sun_colour)),
+      ambient_(tinted(static_cast<float>(light.sky), diffuse(light))) {
   // Seen by a level sheet, horizon's share (1 - z)^3 of the gradient counts 1/10.
-  const Eigen::Vector3f zenith(0.16f, 0.34f, 0.74f), horizon(0.72f, 0.84f, 0.98f);
-  const float scale = static_cast<float>(light.sky) / luminance(0.9f * zenith + 0.1f * horizon);
-  zenith_ = scale * zenith, horizon_ = scale * horizon;
+  const float scale = static_cast<float>(light.sky) / luminance(0.9f * light.zenith + 0.1f * light.horizon);
+  zenith_ = scale * light.zenith, horizon_ = scale * light.horizon;
   clouds_.reserve(kSide * kSide);
   for (int j = 0; j < kSide; ++j)
     for (int i = 0; i < kSide; ++i) {
       const float x = 2.f * i / (kSide - 1) - 1.f, y = 2.f * j / (kSide - 1) - 1.f, r2 = x * x + y * y;
-      clouds_.push_back(cloudAt(Eigen::Vector3f(2 * x, 2 * y, 1 - r2) / (1 + r2)));
+      clouds_.push_back(cloudAt(Eigen::Vector3f(2 * x, 2 * y, 1 - r2) / (1 + r2), light));
     }
 }
 

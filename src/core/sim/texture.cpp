@@ -53,6 +53,28 @@ float bricks(const Eigen::Vector3f& p) {
   return layer - row < 3.f * kMortar || along - std::floor(along) < kMortar;
 }
 
+/// Discs where a face cuts balls on a lattice, and half as many half-way.
+bool dots(const Eigen::Vector3f& p) {
+  const Eigen::Array3f off = p.array() + kOffset - (p.array() + kOffset).round();
+  return off.square().sum() < 0.16f;
+}
+
+bool grid(const Eigen::Vector3f& p) {
+  const Eigen::Array3f at = p.array() + kOffset;
+  return (at - at.floor()).minCoeff() < 0.1f;
+}
+
+float planks(const Eigen::Vector3f& p) {
+  const float across = std::clamp(p.x() + p.y() + kOffset, -1e9f, 1e9f);
+  return static_cast<float>(hashed(static_cast<std::uint32_t>(static_cast<int>(std::floor(across)))) >> 8) *
+         0x1p-24f;
+}
+
+bool wedges(const Eigen::Vector3f& p) {
+  constexpr float kWedge = 0.78539816f;  // [rad]
+  return stripes(std::atan2(p.y(), p.x()) / kWedge) == 1.f;
+}
+
 /// 0..1, share of the other colour; its mean over the pattern in `mean`.
 float share(const Material& material, const Eigen::Vector3f& p, float footprint, float& mean) {
   using Texture = Material::Texture;
@@ -67,10 +89,41 @@ float share(const Material& material, const Eigen::Vector3f& p, float footprint,
     case Texture::kBricks:
       mean = 0.19f;  // 1 - (1 - 0.05) (1 - 0.15)
       return bricks(p);
+    case Texture::kBlotches:
+      return smoothNoise(p, 3, footprint) > 0.5f;
+    case Texture::kDots:
+      mean = 0.268f;  // 4/3 pi 0.4^3
+      return dots(p);
+    case Texture::kGrid:
+      mean = 0.19f;  // on a face: 1 - 0.9^2
+      return grid(p);
+    case Texture::kSlants:
+      return stripes(0.577f * p.sum());
+    case Texture::kPlanks:
+      return planks(p);
+    case Texture::kWedges:
+      return wedges(p);
     case Texture::kPlain:
       break;
   }
   return mean = 0.f;
+}
+
+/// Factor of the dirt.
+float worn(float wear, const Eigen::Vector3f& place, float footprint) {
+  if (wear == 0.f) return 1.f;
+  constexpr float kScale = 2.3f;  // [1/m]
+  const float dirt = smoothNoise(kScale * place, 4, kScale * footprint);
+  return 1.f - wear * std::clamp(2.5f * (dirt - 0.35f), 0.f, 1.f);
+}
+
+Eigen::Vector3f patternAt(const Material& material, const Eigen::Vector3f& place, float footprint) {
+  if (material.texture == Material::Texture::kPlain || !(material.texture_size > 0.f)) return material.colour;
+  const float seen = footprint / material.texture_size;
+  float mean = 0.f;
+  float other = share(material, place / material.texture_size, seen, mean);
+  other += std::clamp(3.f * seen - 0.5f, 0.f, 1.f) * (mean - other);
+  return material.colour + other * (material.colour2 - material.colour);
 }
 
 }  // namespace
@@ -83,12 +136,7 @@ float smoothNoise(const Eigen::Vector3f& place, int octaves, float footprint) {
 }
 
 Eigen::Vector3f colourAt(const Material& material, const Eigen::Vector3f& place, float footprint) {
-  if (material.texture == Material::Texture::kPlain || !(material.texture_size > 0.f)) return material.colour;
-  const float seen = footprint / material.texture_size;
-  float mean = 0.f;
-  float other = share(material, place / material.texture_size, seen, mean);
-  other += std::clamp(3.f * seen - 0.5f, 0.f, 1.f) * (mean - other);
-  return material.colour + other * (material.colour2 - material.colour);
+  return worn(material.wear, place, footprint) * patternAt(material, place, footprint);
 }
 
 float groundMottle(const Eigen::Vector3f& place, float footprint) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "field_fusion/core/sim/shapes.h"
@@ -59,6 +60,26 @@ Model partsOf(const Yaml& parts) {
   return model;
 }
 
+std::vector<Part*> everyPart(Model& model) {
+  std::vector<Part*> out;
+  for (Link& link : model.links)
+    for (Part& part : link.parts) out.push_back(&part);
+  return out;
+}
+
+/// By the role of the parts.
+void readMaterials(const Yaml& yaml, Model& model) {
+  std::set<std::string> roles;
+  std::string names;
+  for (const Part* part : everyPart(model))
+    if (!part->role.empty() && roles.insert(part->role).second) names += " " + part->role;
+  for (const std::string& role : yaml.keys()) {
+    if (!roles.count(role)) yaml[role].fail("no part is that; there are:" + (names.empty() ? " none" : names));
+    for (Part* part : everyPart(model))
+      if (part->role == role) readMaterial(yaml[role], part->material);
+  }
+}
+
 /// Places of a grid: `count` along x and y, `step` m apart.
 std::vector<Eigen::Vector2d> readRepeat(const Yaml& repeat) {
   repeat.onlyKeys({"count", "step"});
@@ -71,6 +92,12 @@ std::vector<Eigen::Vector2d> readRepeat(const Yaml& repeat) {
   return out;
 }
 
+/// [m] where a larger body stays as it is: its waterline if it floats, else what it stands on.
+double footOf(const Yaml& yaml, const Model& model) {
+  const bool floats = yaml.has("floats") && yaml["floats"].flag();
+  return floats ? 0.0 : model.box().min().z();
+}
+
 void checkName(const Yaml& yaml, const std::string& name, const std::vector<Body>& bodies) {
   for (const Body& other : bodies)
     if (other.name == name) yaml.fail("two bodies are named " + name);
@@ -79,7 +106,8 @@ void checkName(const Yaml& yaml, const std::string& name, const std::vector<Body
 }  // namespace
 
 void readMaterial(const Yaml& yaml, Material& material) {
-  yaml.onlyKeys({"colour", "colour2", "texture", "texture_size", "reflectivity", "gloss", "transparency"});
+  yaml.onlyKeys({"colour", "colour2", "texture", "texture_size", "reflectivity", "gloss",
+                 "wear", "transparency"});
   const auto colour = [&yaml](const char* key, Eigen::Vector3f& out) {
     if (!yaml.has(key)) return;
     const auto items = yaml[key].list();
@@ -93,10 +121,12 @@ void readMaterial(const Yaml& yaml, Material& material) {
   colour("colour2", material.colour2);
   if (yaml.has("texture"))
     material.texture = static_cast<Material::Texture>(
-        yaml["texture"].oneOf({"plain", "noise", "checker", "stripes", "bricks"}));
+        yaml["texture"].oneOf({"plain", "noise", "checker", "stripes", "bricks", "blotches", "dots", "grid", "slants",
+                               "planks", "wedges"}));
   if (yaml.has("texture_size")) material.texture_size = static_cast<float>(yaml["texture_size"].positive());
   share("reflectivity", material.reflectivity);
   share("gloss", material.gloss);
+  share("wear", material.wear);
   share("transparency", material.transparency);
 }
 
@@ -105,24 +135,29 @@ Model readModel(const Yaml& yaml) {
   if (kinds != 1) yaml.fail("needs one of shape, mesh and parts");
   Model model = yaml.has("shape") ? shapeOf(yaml) : yaml.has("mesh") ? meshOf(yaml) : partsOf(yaml["parts"]);
   if (yaml.has("material"))
-    for (Link& link : model.links)
-      for (Part& part : link.parts) readMaterial(yaml["material"], part.material);
+    for (Part* part : everyPart(model)) readMaterial(yaml["material"], part->material);
+  if (yaml.has("materials")) readMaterials(yaml["materials"], model);
   return model;
 }
 
-std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground) {
+std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground, double size_spread, const Draws& draws) {
   std::vector<Body> bodies;
   for (const Yaml& item : yaml.list()) {
-    item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat"}));
+    item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat", "size_spread"}));
     Body body;
     if (item.has("label")) body.label = item["label"].text();
-    body.model = readModel(item);
-    body.size = body.model.box().sizes();
+    const double spread = item.has("size_spread") ? item["size_spread"].number(0, kMostSpread)
+                          : body.label.empty()    ? 0.0
+                                                  : size_spread;
+    const Model nominal = readModel(item);
+    const double foot = footOf(item, nominal);
     const bool several = item.has("repeat");
     const auto places = several ? readRepeat(item["repeat"]) : std::vector{Eigen::Vector2d(0, 0)};
     const std::string name = item["name"].text();
     for (std::size_t i = 0; i < places.size(); ++i) {
       body.name = several ? name + "_" + std::to_string(i + 1) : name;
+      body.model = scaled(nominal, 1.0 + draws.within(spread, "size of " + body.name), foot);
+      body.size = body.model.box().sizes();
       body.way = readWay(item, ground, body.model, places[i]);
       checkName(item, body.name, bodies);
       bodies.push_back(body);

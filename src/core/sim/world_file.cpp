@@ -58,7 +58,8 @@ Ground readGround(const Yaml& yaml) {
 }
 
 Light readLight(const Yaml& yaml) {
-  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky"});
+  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky", "sun_colour", "zenith", "horizon", "clouds",
+                 "cloud_size", "cloud_seed", "visibility"});
   Light light;
   Polar sun = polar(light.to_sun);
   if (yaml.has("sun_azimuth_deg")) sun.azimuth = radians(yaml["sun_azimuth_deg"].number());
@@ -66,6 +67,18 @@ Light readLight(const Yaml& yaml) {
   light.to_sun = cartesian({1.0, sun.azimuth, sun.elevation});
   if (yaml.has("sun")) light.sun = yaml["sun"].number(0, 1000);
   if (yaml.has("sky")) light.sky = yaml["sky"].number(0, 1000);
+  const auto colour = [&yaml](const char* key, Eigen::Vector3f& out) {
+    if (!yaml.has(key)) return;
+    const auto n = yaml[key].numbers(3, 3);
+    out = Eigen::Vector3d(n[0], n[1], n[2]).cast<float>();
+    if (!(out.minCoeff() >= 0.f && out.maxCoeff() <= 1.f && out.sum() > 0.f))
+      yaml[key].fail("must be [red, green, blue] of 0..1, not black");
+  };
+  colour("sun_colour", light.sun_colour), colour("zenith", light.zenith), colour("horizon", light.horizon);
+  if (yaml.has("clouds")) light.clouds = yaml["clouds"].number(0, 1);
+  if (yaml.has("cloud_size")) light.cloud_size = yaml["cloud_size"].positive();
+  if (yaml.has("cloud_seed")) light.cloud_seed = static_cast<unsigned>(yaml["cloud_seed"].whole(0, 1000));
+  if (yaml.has("visibility")) light.visibility = yaml["visibility"].positive();
   return light;
 }
 
@@ -86,31 +99,34 @@ std::vector<Dimension> readDimensions(const Yaml& yaml) {
 /// Sensors and the middle of the robot's own body, against every other body at the start.
 void checkRobotIsFree(const World& world, const Yaml& yaml) {
   const Transform T_world_base = world.robot.way.pose(0);
-  const auto check = [&](const std::string& what, const Eigen::Vector3d& place) {
+  const auto check = [&](const Yaml& at, const std::string& what, const Eigen::Vector3d& place) {
     for (const Body& body : world.bodies)
       if (inside(body.model, body.way.pose(0).inverse() * (T_world_base * place), 0))
-        yaml.fail(what + " is inside the body " + body.name + " at the start");
+        at.fail(what + " is inside the body " + body.name + " at the start");
   };
   const bool has_body = !world.robot.model.links.empty();
-  check("the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
-  for (const Mount& mount : world.robot.mounts)
-    check("the sensor " + mount.name, mount.T_base_sensor.translation());
+  check(yaml, "the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
+  const auto& mounts = world.robot.mounts;
+  for (std::size_t i = 0; i < mounts.size(); ++i)
+    check(yaml["mounts"].list()[i], "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
 }
 
 }  // namespace
 
-World loadWorld(const std::string& file, const std::string& sensors) {
+World loadWorld(const std::string& file, const std::string& sensors, std::optional<std::uint64_t> seed) {
   const Yaml yaml = Yaml::file(file);
-  yaml.onlyKeys({"name", "ground", "light", "bodies", "robot", "dimensions"});
+  yaml.onlyKeys({"name", "ground", "light", "size_spread", "bodies", "robot", "dimensions"});
+  const Draws draws(seed);
   World world;
   world.name = yaml.has("name") ? yaml["name"].text() : fs::path(file).stem().string();
   if (yaml.has("ground")) world.ground = readGround(yaml["ground"]);
   if (yaml.has("light")) world.light = readLight(yaml["light"]);
-  if (yaml.has("bodies")) world.bodies = readBodies(yaml["bodies"], world.ground);
+  const double spread = yaml.has("size_spread") ? yaml["size_spread"].number(0, kMostSpread) : 0.0;
+  if (yaml.has("bodies")) world.bodies = readBodies(yaml["bodies"], world.ground, spread, draws);
   if (yaml.has("dimensions")) world.dimensions = readDimensions(yaml["dimensions"]);
   const std::string beside = (fs::path(file).parent_path() / ".." / "sensors").lexically_normal().string();
   if (yaml.has("robot")) {
-    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors);
+    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors, draws);
     checkRobotIsFree(world, yaml["robot"]);
   }
   return world;

@@ -75,6 +75,38 @@ TEST_F(WorldFile, SaysWhatItSays) {
   EXPECT_EQ(world.dimensions.at(0).length(), 5.0);
 }
 
+TEST_F(WorldFile, PaintsPartsByWhatTheyAre) {
+  const World world = load(R"(
+light: {zenith: [0.1, 0.2, 0.3], horizon: [0.4, 0.5, 0.6], sun_colour: [1, 0.5, 0], clouds: 0.25, cloud_size: 2, cloud_seed: 7, visibility: 300}
+bodies:
+  - name: boat
+    shape: boat
+    pose: [0, 0]
+    material: {colour: [0, 1, 0], wear: 0.5}
+    materials: {hull: {colour: [1, 0, 0], texture: dots}, mast: {gloss: 0.7}}
+)");
+  int hulls = 0;
+  for (const Part& part : world.bodies[0].model.links[0].parts) {
+    const bool hull = part.role == "hull";
+    hulls += hull;
+    EXPECT_EQ(part.material.colour, hull ? Eigen::Vector3f(1, 0, 0) : Eigen::Vector3f(0, 1, 0)) << part.role;
+    EXPECT_EQ(part.material.texture == Material::Texture::kDots, hull);
+    EXPECT_EQ(part.material.wear, 0.5f);
+    if (part.role == "mast") {
+      EXPECT_EQ(part.material.gloss, 0.7f);
+    }
+  }
+  EXPECT_EQ(hulls, 1);
+  const Light& light = world.light;
+  EXPECT_EQ(light.zenith, Eigen::Vector3f(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(light.horizon, Eigen::Vector3f(0.4f, 0.5f, 0.6f));
+  EXPECT_EQ(light.sun_colour, Eigen::Vector3f(1.f, 0.5f, 0.f));
+  EXPECT_EQ(light.clouds, 0.25);
+  EXPECT_EQ(light.cloud_size, 2.0);
+  EXPECT_EQ(light.cloud_seed, 7u);
+  EXPECT_EQ(light.visibility, 300.0);
+}
+
 TEST_F(WorldFile, RobotHasItsMounts) {
   const Robot robot = load(kFull).robot;
   EXPECT_EQ(robot.name, "dog");
@@ -98,6 +130,33 @@ bodies:
   EXPECT_EQ(world.bodies[1].way.pose(0).translation().z(), 0.0);
 }
 
+/// Largest tilt of a robot that stands, or goes at a steady `speed`, in two seconds.
+double tilt(const World& world, double begin) {
+  double most = 0.0;
+  for (double t = begin; t < begin + 2; t += 0.01)
+    most = std::max(most, degrees(std::acos(std::min(1.0, world.robot.way.pose(t).linear()(2, 2)))));
+  return most;
+}
+
+TEST_F(WorldFile, StepsAndRoadsShakeWhatMovesAndWavesWhatStandsToo) {
+  const auto standing = [this](const std::string& shake) {
+    return tilt(load("robot: {pose: [0, 0], motion: {shake: " + shake + "}}\n"), 0.0);
+  };
+  const auto going = [this](const std::string& shake, const std::string& speed) {
+    return tilt(load("robot: {motion: {points: [[0, 0], [99, 0]], acceleration: 5, speed: " + speed +
+                     ", shake: " + shake + "}}\n"),
+                5.0);
+  };
+  EXPECT_EQ(standing("gait"), 0.0);
+  EXPECT_EQ(standing("road"), 0.0);
+  EXPECT_GT(standing("waves"), 2.0);
+  EXPECT_GT(going("gait", "0.5"), 1.5);
+  EXPECT_NEAR(going("gait", "0.5"), going("gait", "2"), 1e-6);
+  EXPECT_NEAR(going("road", "1.5"), going("road", "3") / 2, 1e-3);  // half of its full speed
+  EXPECT_NEAR(going("{preset: gait, scale: 2}", "1"), 2 * going("gait", "1"), 1e-3);
+  EXPECT_EQ(tilt(load("robot: {pose: [0, 0], motion: {shake: {preset: waves, full_speed: 1}}}\n"), 0.0), 0.0);
+}
+
 struct Fault {
   const char* text;
   const char* says;
@@ -114,6 +173,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"name: a\nbodys: []\n", "2: bodys: unknown key (did you mean bodies?)"},
         Fault{"name: a\nname: b\n", "2: name is there twice"},
+        Fault{"light: {zenith: [0, 0, 0]}\n", "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
+        Fault{"bodies:\n - {name: a, shape: stool, pose: [0, 0],\n    materials: {hull: {gloss: 1}}}\n",
+              "3: bodies[0].materials.hull: no part is that; there are: seat leg"},
         Fault{"bodies:\n - {name: a, shape: bxo, pose: [0, 0]}\n",
               "2: bodies[0].shape: no shape is named bxo (did you mean box?)"},
         Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0],\n    params: {lenght: 1}}\n",
@@ -154,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{
             "bodies:\n - {name: wall, shape: box, pose: [1, 0]}\nrobot: {pose: [0, 0],\n  mounts: [{name: a, "
             "model: imu_a, pose: [0.7, 0, 0.5]}]}\n",
-            "3: robot: the sensor a is inside the body wall at the start"},
+            "4: robot.mounts[0]: the sensor a is inside the body wall at the start"},
         Fault{"bodies:\n - {name: wall, shape: sphere, pose: [0, 0, -0.3, 0]}\nrobot: {pose: [0, 0]}\n",
               "3: robot: the robot is inside the body wall at the start"},
         Fault{
@@ -162,6 +224,11 @@ INSTANTIATE_TEST_SUITE_P(
             "2: robot.motion.points: leaves the ground, which ends 20 m from the origin"},
         Fault{"robot: {pose: [0, 0], motion: {points: [[1, 1]]}}\n",
               "1: robot.motion.points: has the place in pose too"},
+        Fault{"size_spread: 0.9\n", "1: size_spread: 0.9 is outside [0, 0.5]"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, mount_error: {angle: 1}}]}\n",
+              "1: robot.mounts[0].mount_error.angle: unknown key"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, clock_error: -1}]}\n",
+              "1: robot.mounts[0].clock_error: -1 is outside [0, 1]"},
         Fault{"robot: {pose: [0, 0], motion: {shake: sea}}\n",
               "1: robot.motion.shake: 'sea' is none of gait, waves, road"},
         Fault{"dimensions: [{name: d, from: [0, 0, 0], to: [0, 0, 0]}]\n",

@@ -31,24 +31,44 @@ struct Cylinder {
   float radius;          ///< [m]
 };
 
+/// T_link_cylinder of a cylinder about z in the middle of its own frame, as URDF and RViz have them.
+Transform frameOf(const Cylinder& cylinder);
+
 /// How a surface answers to light. Textures are solid: they depend on the place in the body's frame.
 struct Material {
-  enum class Texture { kPlain, kNoise, kChecker, kStripes, kBricks };
+  enum class Texture {
+    kPlain,
+    kNoise,
+    kChecker,
+    kStripes,
+    kBricks,
+    kBlotches,  ///< noise with sharp edges
+    kDots,
+    kGrid,    ///< thin lines along all three axes
+    kSlants,  ///< stripes that rise at a slant
+    kPlanks,  ///< upright, each of its own shade
+    kWedges   ///< about the z axis, as of a beach ball; of no size
+  };
 
   Eigen::Vector3f colour{0.5f, 0.5f, 0.5f};   ///< 0..1, linear RGB, diffuse
   Eigen::Vector3f colour2{0.4f, 0.4f, 0.4f};  ///< the texture's other colour
   Texture texture = Texture::kPlain;
   float texture_size = 0.2f;  ///< [m] of its pattern
+  float wear = 0.f;           ///< 0..1, how dark the dirt in patches is
   float reflectivity = 0.5f;  ///< 0..1, diffuse, at a LiDAR's 905 nm
   float gloss = 0.f;  ///< 0..1, share of light that it mirrors: lost to a LiDAR, a highlight to a camera
   float transparency = 0.f;  ///< 0..1, share of rays that pass: nets, glass
 };
+
+/// Red, green, blue and alpha, 0..1, as screens take them, by a power law; of a texture the mean.
+Eigen::Vector4f shownColour(const Material& material);
 
 using Shape = std::variant<Mesh, Sphere, Cylinder>;
 
 struct Part {
   Shape shape;
   Material material;
+  std::string role{};  ///< what it is in its body, such as "hull": a world can paint it by that name
 };
 
 /// Swings about an axis: angle(t) = bias + amplitude sin(2 pi t / period + phase).

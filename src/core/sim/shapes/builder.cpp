@@ -77,26 +77,26 @@ Mesh torus(float outer, float tube, float z) {
   return lathe(profile, false);
 }
 
-Builder& Builder::use(const Material& material) {
-  material_ = material, fresh_ = true;
+Builder& Builder::use(const Material& material, const char* role) {
+  material_ = material, role_ = role, fresh_ = true;
   return *this;
 }
 
 Builder& Builder::mesh(const Mesh& mesh) {
   if (fresh_ || parts().empty() || !std::holds_alternative<Mesh>(parts().back().shape))
-    parts().push_back({Mesh{}, material_});
+    parts().push_back({Mesh{}, material_, role_});
   std::get<Mesh>(parts().back().shape).add(mesh);
   fresh_ = false;
   return *this;
 }
 
 Builder& Builder::rod(const Vector3f& from, const Vector3f& to, float radius) {
-  parts().push_back({Cylinder{from, to - from, radius}, material_});
+  parts().push_back({Cylinder{from, to - from, radius}, material_, role_});
   return *this;
 }
 
 Builder& Builder::ball(const Vector3f& centre, float radius) {
-  parts().push_back({Sphere{centre, radius}, material_});
+  parts().push_back({Sphere{centre, radius}, material_, role_});
   return *this;
 }
 

@@ -22,8 +22,8 @@ Mesh torus(float outer, float tube, float z);
 
 class Builder {
  public:
-  /// Of all that follows.
-  Builder& use(const Material& material);
+  /// Of all that follows, and what that is in the body.
+  Builder& use(const Material& material, const char* role = "");
   Builder& mesh(const Mesh& mesh);  ///< meshes of one material that follow each other become one part
   Builder& box(const Vector3f& low, const Vector3f& high) { return mesh(boxMesh(low, high)); }
   Builder& rod(const Vector3f& from, const Vector3f& to, float radius);
@@ -40,6 +40,7 @@ class Builder {
 
   Model model_{{Link{}}};
   Material material_;
+  const char* role_ = "";
   bool fresh_ = true;  // the next mesh begins a part
 };
 

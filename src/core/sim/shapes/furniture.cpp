@@ -35,46 +35,6 @@ Model labTable(const ShapeParams& p) {
       .build();
 }
 
-/// Seat at half the height; the back stands behind, at -x.
-Builder seat(const Extent& e, float leg) {
-  Builder builder;
-  builder.use(wood()).box({-e.x, -e.y, 0.5f * e.h - leg}, {e.x, e.y, 0.5f * e.h});
-  builder.fourLegs(e.x, e.y, leg, 0.5f * e.h - leg);
-  return builder;
-}
-
-Model chair(const ShapeParams& p) {
-  const Extent e(p);
-  const float leg = 0.12f * e.x;
-  return seat(e, leg).box({-e.x, -e.y, 0.5f * e.h}, {-e.x + leg, e.y, e.h}).build();
-}
-
-/// Two posts with rungs between them.
-Model ladderBack(const ShapeParams& p) {
-  const Extent e(p);
-  const float leg = 0.12f * e.x;
-  Builder builder = seat(e, leg);
-  for (const float y : {-e.y, e.y - leg}) builder.box({-e.x, y, 0.5f * e.h}, {-e.x + leg, y + leg, e.h});
-  for (const float z : {0.62f, 0.77f, 0.92f})
-    builder.box({-e.x, -e.y + leg, z * e.h}, {-e.x + 0.5f * leg, e.y - leg, (z + 0.05f) * e.h});
-  return builder.build();
-}
-
-/// Round, three legs, a ring to put the feet on.
-Model stool(const ShapeParams& p) {
-  const float r = 0.5f * of(p, "diameter"), h = of(p, "height"), leg = 0.08f * r, seat = 0.08f * h;
-  Builder builder;
-  builder.use(wood()).rod({0, 0, h - seat}, {0, 0, h}, r);
-  builder.use(steel());
-  for (int i = 0; i < 3; ++i) {
-    const double angle = radians(120.0) * i;
-    const float x = 0.85f * r * static_cast<float>(std::cos(angle)),
-                y = 0.85f * r * static_cast<float>(std::sin(angle));
-    builder.rod({x, y, 0}, {x, y, h - seat}, leg);
-  }
-  return builder.mesh(torus(0.85f * r + leg, leg, 0.3f * h)).build();
-}
-
 /// Slats on two trestles, with a back of two slats.
 Model bench(const ShapeParams& p) {
   const Extent e(p);
@@ -116,10 +76,6 @@ ShapeKinds furnitureShapes() {
       {"table", {"a table on four legs", {{"length", 0.7}, {"width", 1.4}, {"height", 0.75}}, table}},
       {"experimental_table",
        {"a laboratory table on cupboards", {{"length", 1.5}, {"width", 3}, {"height", 0.8}}, labTable}},
-      {"chair", {"a chair with a full back", {{"length", 0.45}, {"width", 0.45}, {"height", 0.9}}, chair}},
-      {"ladder_back",
-       {"a chair with rungs for a back", {{"length", 0.45}, {"width", 0.45}, {"height", 1}}, ladderBack}},
-      {"stool", {"a round stool on three legs", {{"diameter", 0.35}, {"height", 0.45}}, stool}},
       {"bench", {"a park bench", {{"length", 0.5}, {"width", 1.6}, {"height", 0.85}}, bench}},
       {"shelf", {"an open shelf", {{"length", 0.35}, {"width", 1}, {"height", 1.8}}, shelf}},
   };

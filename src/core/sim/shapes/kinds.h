@@ -11,7 +11,14 @@ ShapeKinds obstacleShapes();
 ShapeKinds furnitureShapes();
 ShapeKinds streetShapes();
 ShapeKinds vehicleShapes();
+ShapeKinds seatShapes();
+ShapeKinds boxShapes();
+ShapeKinds inflatedShapes();
 ShapeKinds marineShapes();
+ShapeKinds cageShapes();
+ShapeKinds boatShapes();
+ShapeKinds buoyShapes();
+ShapeKinds bollardShapes();
 ShapeKinds personShapes();
 
 }  // namespace field_fusion::core::sim

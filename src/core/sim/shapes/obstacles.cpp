@@ -6,20 +6,34 @@
 namespace field_fusion::core::sim {
 namespace {
 
-/// On a square base, with a white band.
-Model trafficCone(const ShapeParams& p, const Vector3f& colour) {
+struct ConeStyle {
+  Vector3f colour;
+  int bands = 1;
+  float band = 0.2f;  // of the height over the base
+  bool round = false;
+};
+
+/// On a base, with white bands.
+Model trafficCone(const ShapeParams& p, const ConeStyle& style) {
   const float r = 0.5f * of(p, "diameter"), h = of(p, "height"), base = std::min(0.03f, 0.2f * h);
   const float foot = 0.75f * r, tip = 0.12f * r;
-  const auto radius = [&](float z) { return foot + (tip - foot) * (z - base) / (h - base); };
-  const float low = base + 0.5f * (h - base), high = base + 0.7f * (h - base);
-  return Builder()
-      .use(plastic(colour))
-      .box({-r, -r, 0}, {r, r, base})
-      .mesh(lathe({{foot, base}, {radius(low), low}}))
-      .mesh(lathe({{radius(high), high}, {tip, h}}))
-      .use(matt(kWhite, 0.85f))
-      .mesh(lathe({{radius(low), low}, {radius(high), high}}))
-      .build();
+  const auto ring = [&](float share) { return Vector2f(foot + (tip - foot) * share, base + (h - base) * share); };
+  Builder builder;
+  builder.use(style.round ? rubber() : plastic(style.colour), "base");
+  style.round ? builder.mesh(lathe({{r, 0}, {r, 0.7f * base}, {foot, base}})) : builder.box({-r, -r, 0}, {r, r, base});
+  float below = 0.f;
+  for (int i = 0; i < style.bands; ++i) {
+    const float low = 0.6f - 0.5f * style.band + 0.33f * (static_cast<float>(i) - 0.5f * static_cast<float>(style.bands - 1));
+    builder.use(plastic(style.colour), "body").mesh(lathe({ring(below), ring(low)}));
+    builder.use(matt(kWhite, 0.85f), "band").mesh(lathe({ring(low), ring(low + style.band)}));
+    below = low + style.band;
+  }
+  return builder.use(plastic(style.colour), "body").mesh(lathe({ring(below), ring(1.f)})).build();
+}
+
+template <int kBands>
+Model roadCone(const ShapeParams& p) {
+  return trafficCone(p, {kOrange, kBands, std::clamp(of(p, "band"), 0.05f, 0.3f), of(p, "round") > 0.f});
 }
 
 Model barrel(const ShapeParams& p) {
@@ -75,40 +89,25 @@ Model distributionBox(const ShapeParams& p) {
       .build();
 }
 
-/// The inflated rear of a car: rounded at the top.
-Model balloonCar(const ShapeParams& p) {
-  const float x = 0.5f * of(p, "length"), y = 0.5f * of(p, "width"), h = of(p, "height");
-  return Builder()
-      .use(glossy(kBlue, 0.5f, 0.2f))
-      .mesh(frustum({-x, x, -0.95f * y, 0.95f * y}, 0, {-x, x, -y, y}, 0.25f * h))
-      .mesh(frustum({-x, x, -y, y}, 0.25f * h, {-0.95f * x, x, -y, y}, 0.6f * h))
-      .mesh(frustum({-0.8f * x, x, -0.9f * y, 0.9f * y}, 0.6f * h,
-                    {-0.4f * x, 0.8f * x, -0.75f * y, 0.75f * y}, h))
-      .use(matt(kRed, 0.85f))
-      .box({-x, -0.9f * y, 0.45f * h}, {-0.96f * x, -0.6f * y, 0.55f * h})
-      .box({-x, 0.6f * y, 0.45f * h}, {-0.96f * x, 0.9f * y, 0.55f * h})
-      .build();
-}
-
 }  // namespace
 
 ShapeKinds obstacleShapes() {
   const ShapeParams cone = {{"diameter", 0.3}, {"height", 0.5}};
+  const ShapeParams road = {{"diameter", 0.4}, {"height", 0.75}, {"band", 0.2}, {"round", 0}};
   return {
       {"red_cone",
-       {"a red traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, kRed); }}},
+       {"a red traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kRed}); }}},
       {"blue_cone",
-       {"a blue traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, kBlue); }}},
+       {"a blue traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
+      {"plain_cone", {"a traffic cone; `round` 1: on a round base", road, roadCone<0>}},
+      {"banded_cone", {"the same with a band of so much of its height", road, roadCone<1>}},
+      {"road_cone", {"the same with two", road, roadCone<2>}},
       {"barrel", {"a steel drum", {{"diameter", 0.58}, {"height", 0.88}}, barrel}},
       {"radiator", {"a panel radiator on feet", {{"length", 1}, {"width", 0.12}, {"height", 0.6}}, radiator}},
       {"distribution_box",
        {"an electric cabinet, its door in front",
         {{"length", 0.3}, {"width", 0.5}, {"height", 0.7}},
         distributionBox}},
-      {"balloon_car",
-       {"the inflated rear of a car (Fig. 5 of the off-road paper)",
-        {{"length", 0.8}, {"width", 1.6}, {"height", 1.35}},
-        balloonCar}},
   };
 }
 

@@ -1,0 +1,1 @@
+"""Random worlds to learn from; docs/dataset.md tells what is in them."""
