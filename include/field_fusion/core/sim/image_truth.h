@@ -20,8 +20,8 @@ struct BodyView {
   std::uint8_t cut = 0;  ///< Cut bits: it reaches the outermost pixels there
 };
 
-/// Finds the labelled bodies of a world in pictures through a lens. Both must outlive it. Keeps its buffers from
-/// picture to picture.
+/// Finds the labelled bodies of a world in pictures through a lens. Both must outlive it. Keeps its buffers
+/// from picture to picture.
 class ImageTruth {
  public:
   ImageTruth(const World& world, const Lens& lens);
