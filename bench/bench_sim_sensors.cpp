@@ -35,6 +35,21 @@ struct Bench {
   }
 };
 
+template <class Lidar>
+void measureBeams(Bench& bench, Lidar& lidar, const std::string& name, int beams) {
+  std::vector<double> rates;
+  double time = 0.0, returns = 0.0, mixed = 0.0;
+  const auto scan = [&] {
+    lidar.scan(bench.caster, bench.pose, time);
+    time += 1.0 / lidar.params().rate;
+    for (const BeamReturn& r : lidar.truth()) returns += r.body != Hit::kNothing, mixed += r.mixed;
+  };
+  for (const double ms : bench::costs(kRepeats, scan)) rates.push_back(1e-3 * beams / ms);
+  std::printf("%s: %d beams a scan, %.0f returns, %.1f %% of them mixed\n", name.c_str(), beams,
+              returns / (kRepeats + 1), 100.0 * mixed / returns);
+  bench::print("sim/beams/" + name, bench::medianFigure(rates), "million/s");
+}
+
 /// Faults that the model's file leaves out are on too.
 void beams(const std::string& name, const std::string& mount, const std::string& model) {
   Bench bench(name, mount);
@@ -43,31 +58,23 @@ void beams(const std::string& name, const std::string& mount, const std::string&
                             {"range_noise_weak", "0.01"},
                             {"range_scale", "0.001"},
                             {"angle_noise", "0.02"}};
-  Sensor sensor = makeSensor(kConfig + "sensors", other, faults, 1);
-  std::vector<double> rates;
-  double time = 0.0, returns = 0.0, mixed = 0.0;
-  const auto scan = [&](auto& lidar) {
-    lidar.scan(bench.caster, bench.pose, time);
-    time += 1.0 / lidar.params().rate;
-    for (const BeamReturn& r : lidar.truth()) returns += r.body != Hit::kNothing, mixed += r.mixed;
-  };
-  auto* flat = std::get_if<Scanner2d>(&sensor);
-  auto* deep = std::get_if<Lidar3d>(&sensor);
-  const double count =
-      flat ? flat->params().steps() : 1.0 * deep->params().columns() * deep->params().elevations.size();
-  for (const double ms : bench::costs(kRepeats, [&] { flat ? scan(*flat) : scan(*deep); }))
-    rates.push_back(1e-3 * count / ms);
-  std::printf("%s on %s: %.0f beams a scan, %.0f returns, %.1f %% of them mixed\n", other.c_str(),
-              name.c_str(), count, returns / (kRepeats + 1), 100.0 * mixed / returns);
-  bench::print("sim/beams/" + name + "/" + other, bench::medianFigure(rates), "million/s");
+  const SensorParams params = sensorParams(kConfig + "sensors", other, faults);
+  if (const auto* flat = std::get_if<Scanner2dParams>(&params)) {
+    Scanner2d scanner(*flat, 1);
+    measureBeams(bench, scanner, name + "/" + other, flat->steps());
+  } else {
+    const auto& deep = std::get<Lidar3dParams>(params);
+    Lidar3d lidar(deep, 1);
+    measureBeams(bench, lidar, name + "/" + other, deep.columns() * static_cast<int>(deep.elevations.size()));
+  }
 }
 
 /// By the clock on the wall, because the frame is shared by threads.
 void frames(const std::string& name, const std::string& mount, int threads) {
   Bench bench(name, mount);
-  Sensor sensor =
-      makeSensor(kConfig + "sensors", bench.mount.model, {{"threads", std::to_string(threads)}}, 1);
-  auto& camera = std::get<DepthCamera>(sensor);
+  const Overrides shared = {{"threads", std::to_string(threads)}};
+  DepthCamera camera(
+      std::get<DepthCameraParams>(sensorParams(kConfig + "sensors", bench.mount.model, shared)), 1);
   std::vector<double> rates;
   for (int i = 0; i < kRepeats; ++i) {
     const double start = wallMs();

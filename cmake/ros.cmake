@@ -1,6 +1,6 @@
 # Messages, the ROS layer, the nodelets and the tools.
 find_package(catkin REQUIRED COMPONENTS
-  cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
+  camera_info_manager cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
   message_filters message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs roslib sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
   visualization_msgs)
 
@@ -48,6 +48,7 @@ endforeach()
 find_package(PCL REQUIRED COMPONENTS registration)
 target_link_libraries(make_bag field_fusion_sim_ros)
 target_link_libraries(write_params field_fusion_sim)
+target_link_libraries(world_urdf field_fusion_sim_ros)
 target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 

@@ -21,17 +21,19 @@ def vector(message):
 
 
 class Clusters:
-    """Of a ClusterArray: `points` (n x 3, float32), `places` of their clusters, `arrays` the points of each."""
+    """Of a ClusterArray: `points` (n x 3, float32), `places` of their clusters, `arrays` the points of each. Faint
+    clusters, which come last, have points only: they are no bodies by themselves."""
 
     def __init__(self, message):
         self.messages = message.clusters
         self.points = numpy.array([(p.x, p.y, p.z) for p in message.points], numpy.float32).reshape(-1, 3)
         self.arrays = [self.points[c.first_point:c.first_point + c.point_count] for c in self.messages]
         self.places = numpy.full(len(self.points), -1)
-        for place, cluster in enumerate(self.messages):
+        bodies = [cluster for cluster in self.messages if not cluster.faint]
+        for place, cluster in enumerate(bodies):
             self.places[cluster.first_point:cluster.first_point + cluster.point_count] = place
 
-        self.shapes = [_shape(cluster) for cluster in self.messages]
+        self.shapes = [_shape(cluster) for cluster in bodies]
 
 
 def _shape(cluster):

@@ -23,7 +23,8 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
     noise_ = found.noise;
     too_large_ = found.too_large;
     unusable_ = found.unusable;
-    count_ = found.clusters.size();
+    faint_ = found.faint;
+    count_ = found.clusters.size() - found.faint;
     row_gap_ = cloud.points.empty() ? row_gap_ : found.row_gap;
   }
 
@@ -34,6 +35,7 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
       status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "no rings in the cloud: set row_gap");
     status.add("last cloud: clusters", count_);
     status.add("last cloud: angle between rows [deg]", core::degrees(row_gap_));
+    status.add("last cloud: faint clusters", faint_);
     status.add("last cloud: noise points", noise_);
     status.add("last cloud: clusters left out as too large", too_large_);
     status.add("last cloud: points not finite or too far", unusable_);
@@ -41,7 +43,7 @@ class ClusterNodelet : public StageNodelet<core::ClusterParams> {
 
   core::Clusterer clusterer_;
   double row_gap_ = core::kNaN;
-  std::size_t count_ = 0, noise_ = 0, too_large_ = 0, unusable_ = 0;
+  std::size_t count_ = 0, faint_ = 0, noise_ = 0, too_large_ = 0, unusable_ = 0;
   Output<ClusterArray> clusters_;
 };
 using ClusterStage = Unloadable<ClusterNodelet>;

@@ -22,6 +22,7 @@ Eigen::Vector3d vectorOf(const Xyz& p) {
 Cluster toMessage(const core::Cluster& in, std::uint32_t id) {
   Cluster out;
   out.id = id;
+  out.faint = in.faint;
   out.first_point = in.points.first;
   out.point_count = in.points.count;
   out.min = xyz<geometry_msgs::Point>(in.box.min());
@@ -39,6 +40,7 @@ Cluster toMessage(const core::Cluster& in, std::uint32_t id) {
 
 core::Cluster fromMessage(const Cluster& in) {
   core::Cluster out;
+  out.faint = in.faint;
   out.points = {in.first_point, in.point_count};
   out.box = {vectorOf(in.min).cast<float>(), vectorOf(in.max).cast<float>()};
   out.centre = vectorOf(in.centre).cast<float>();

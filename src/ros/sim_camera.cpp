@@ -94,8 +94,8 @@ class CameraSource : public SimSource {
 
 }  // namespace
 
-std::unique_ptr<SimSource> simColourCamera(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<CameraSource>(setup, mount, sensorParamsOf<sim::CameraParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount, const sim::CameraParams& params) {
+  return std::make_unique<CameraSource>(setup, mount, params);
 }
 
 }  // namespace field_fusion

@@ -65,8 +65,9 @@ class DepthSource : public SimSource {
 
 }  // namespace
 
-std::unique_ptr<SimSource> simDepthCamera(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<DepthSource>(setup, mount, sensorParamsOf<sim::DepthCameraParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount,
+                                     const sim::DepthCameraParams& params) {
+  return std::make_unique<DepthSource>(setup, mount, params);
 }
 
 }  // namespace field_fusion

@@ -106,12 +106,13 @@ class Lidar3dSource : public SimSource {
 
 }  // namespace
 
-std::unique_ptr<SimSource> simScanner2d(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<Scanner2dSource>(setup, mount, sensorParamsOf<sim::Scanner2dParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount,
+                                     const sim::Scanner2dParams& params) {
+  return std::make_unique<Scanner2dSource>(setup, mount, params);
 }
 
-std::unique_ptr<SimSource> simLidar3d(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<Lidar3dSource>(setup, mount, sensorParamsOf<sim::Lidar3dParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount, const sim::Lidar3dParams& params) {
+  return std::make_unique<Lidar3dSource>(setup, mount, params);
 }
 
 }  // namespace field_fusion

@@ -4,7 +4,6 @@
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 #include "field_fusion/ros/marker_shapes.h"
 #include "field_fusion/ros/recording.h"
@@ -31,15 +30,10 @@ std::string frameOf(const std::string& body, std::size_t link) {
   return "truth/" + body + "/" + std::to_string(link);
 }
 
-/// Screens want light by a power law; materials tell it linear.
 std_msgs::ColorRGBA colourOf(const sim::Material& material) {
-  const auto seen = [](float linear) { return std::pow(std::clamp(linear, 0.f, 1.f), 1.f / 2.2f); };
+  const Eigen::Vector4f shown = sim::shownColour(material);
   std_msgs::ColorRGBA colour;
-  const Eigen::Vector3f mean = material.texture == sim::Material::Texture::kPlain
-                                   ? material.colour
-                                   : Eigen::Vector3f(0.5f * (material.colour + material.colour2));
-  colour.r = seen(mean.x()), colour.g = seen(mean.y()), colour.b = seen(mean.z());
-  colour.a = 1.f - 0.7f * material.transparency;
+  colour.r = shown[0], colour.g = shown[1], colour.b = shown[2], colour.a = shown[3];
   return colour;
 }
 
@@ -62,13 +56,10 @@ struct Drawn {
     marker.pose = tf2::toMsg(core::Transform(T * Eigen::Translation3d(sphere.centre.cast<double>())));
   }
   void operator()(const sim::Cylinder& cylinder) {
-    const Eigen::Vector3d axis = cylinder.axis.cast<double>();
-    const Eigen::Vector3d middle = cylinder.foot.cast<double>() + 0.5 * axis;
     marker.type = Marker::CYLINDER;
     marker.scale.x = marker.scale.y = 2.0 * static_cast<double>(cylinder.radius);
-    marker.scale.z = axis.norm();
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
-    marker.pose = tf2::toMsg(core::Transform(T * Eigen::Translation3d(middle) * turn));
+    marker.scale.z = static_cast<double>(cylinder.axis.norm());
+    marker.pose = tf2::toMsg(core::Transform(T * sim::frameOf(cylinder)));
   }
 };
 

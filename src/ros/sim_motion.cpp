@@ -75,11 +75,11 @@ template <class Odometry>
 class OdometrySource : public SimSource {
  public:
   template <class P>
-  OdometrySource(const SimSetup& setup, const sim::Mount& mount, const P& params, bool tf)
+  OdometrySource(const SimSetup& setup, const sim::Mount& mount, const P& params)
       : SimSource(params.rate),
         mount_(setup, mount),
         odometry_(params, setup.world.robot.way, setup.seedOf(mount.name)),
-        tf_(tf) {}
+        tf_(setup.tf_odometry == mount.name) {}
 
  private:
   void measure(double time, const ros::Time& ready, const SimSink& sink) override {
@@ -109,22 +109,22 @@ class OdometrySource : public SimSource {
 
 }  // namespace
 
-std::unique_ptr<SimSource> simImu(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<ImuSource>(setup, mount, sensorParamsOf<sim::ImuParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount, const sim::ImuParams& params) {
+  return std::make_unique<ImuSource>(setup, mount, params);
 }
 
-std::unique_ptr<SimSource> simGnss(const SimSetup& setup, const sim::Mount& mount) {
-  return std::make_unique<GnssSource>(setup, mount, sensorParamsOf<sim::GnssParams>(setup, mount));
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount, const sim::GnssParams& params) {
+  return std::make_unique<GnssSource>(setup, mount, params);
 }
 
-std::unique_ptr<SimSource> simWheelOdometry(const SimSetup& setup, const sim::Mount& mount, bool tf) {
-  const auto params = sensorParamsOf<sim::WheelOdometryParams>(setup, mount);
-  return std::make_unique<OdometrySource<sim::WheelOdometry>>(setup, mount, params, tf);
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount,
+                                     const sim::WheelOdometryParams& params) {
+  return std::make_unique<OdometrySource<sim::WheelOdometry>>(setup, mount, params);
 }
 
-std::unique_ptr<SimSource> simLegOdometry(const SimSetup& setup, const sim::Mount& mount, bool tf) {
-  const auto params = sensorParamsOf<sim::LegOdometryParams>(setup, mount);
-  return std::make_unique<OdometrySource<sim::LegOdometry>>(setup, mount, params, tf);
+std::unique_ptr<SimSource> simSensor(const SimSetup& setup, Mounted mount,
+                                     const sim::LegOdometryParams& params) {
+  return std::make_unique<OdometrySource<sim::LegOdometry>>(setup, mount, params);
 }
 
 }  // namespace field_fusion

@@ -21,14 +21,10 @@ namespace {
 
 fs::path worldsFolder() { return fs::path(ros::package::getPath("field_fusion")) / "config" / "worlds"; }
 
-fs::path sensorsBeside(const std::string& world_file) {
-  const fs::path own = (fs::path(world_file).parent_path() / ".." / "sensors").lexically_normal();
-  return fs::is_directory(own) ? own : worldsFolder().parent_path() / "sensors";
-}
-
 /// The world with the sensors that take part alone.
 sim::World loaded(const std::string& file, const SimParams& params) {
-  sim::World world = sim::loadWorld(file, sensorsBeside(file).string());
+  sim::World world =
+      sim::loadWorld(file, sensorsBeside(file), static_cast<std::uint64_t>(params.seed));
   auto& mounts = world.robot.mounts;
   for (const std::string& name : params.mounts)
     if (std::none_of(mounts.begin(), mounts.end(), [&](const auto& mount) { return mount.name == name; }))
@@ -44,7 +40,7 @@ sim::World loaded(const std::string& file, const SimParams& params) {
 double sliceHeight(const SimSetup& setup) {
   const core::Transform T_world_base = setup.world.robot.way.pose(0.0);
   for (const sim::Mount& mount : setup.world.robot.mounts)
-    if (sim::sensorKind(setup.sensors, mount.model) == "scanner2d")
+    if (std::string(setup.kindOf(mount).name) == "scanner2d")
       return (T_world_base * mount.T_base_sensor).translation().z();
   return T_world_base.translation().z() + 0.3;
 }
@@ -69,12 +65,19 @@ std::string worldFile(const std::string& world) {
   throw std::runtime_error("no world " + world + ": neither a file nor one of " + known);
 }
 
-boost::shared_ptr<const tf2_msgs::TFMessage> staticTransforms(const SimSetup& setup) {
+std::string sensorsBeside(const std::string& world_file) {
+  const fs::path own = (fs::path(world_file).parent_path() / ".." / "sensors").lexically_normal();
+  return (fs::is_directory(own) ? own : worldsFolder().parent_path() / "sensors").string();
+}
+
+boost::shared_ptr<const tf2_msgs::TFMessage> mountTransforms(const SimSetup& setup,
+                                                            core::Transform sim::Mount::*T_base_mount) {
   auto message = boost::make_shared<tf2_msgs::TFMessage>();
   for (const sim::Mount& mount : setup.world.robot.mounts) {
-    if (isOdometry(setup, mount)) continue;
-    message->transforms.push_back(transformMessage(simTime(0.0), "base", mount.name, mount.T_base_sensor));
-    if (isCamera(setup, mount))
+    const sim::SensorKind& kind = setup.kindOf(mount);
+    if (kind.odometry) continue;
+    message->transforms.push_back(transformMessage(simTime(0.0), "base", mount.name, mount.*T_base_mount));
+    if (kind.optical)
       message->transforms.push_back(
           transformMessage(simTime(0.0), mount.name, mount.name + "_optical", sim::sensorToOptical()));
   }
@@ -86,12 +89,10 @@ SimRun::SimRun(const SimParams& params)
       file_(worldFile(params.world)),
       world_(loaded(file_, params)),
       caster_(world_),
-      setup_{world_, caster_, params_, sensorsBeside(file_).string()} {
-  bool odometry = false;
+      setup_{world_, caster_, params_, sensorsBeside(file_), ""} {
   for (const sim::Mount& mount : world_.robot.mounts) {
-    const bool first = !odometry && isOdometry(setup_, mount);
-    sources_.push_back(simSource(setup_, mount, first));
-    odometry = odometry || first;
+    if (setup_.tf_odometry.empty() && setup_.kindOf(mount).odometry) setup_.tf_odometry = mount.name;
+    sources_.push_back(simSource(setup_, mount));
   }
   if (sources_.empty()) throw std::runtime_error(file_ + ": the robot has no sensors");
   if (!params.truth) return;
@@ -99,9 +100,10 @@ SimRun::SimRun(const SimParams& params)
 }
 
 void SimRun::begin(const SimSink& sink) {
-  const auto transforms = staticTransforms(setup_);
-  if (!transforms->transforms.empty()) sink({"/tf_static", simTime(0.0), transforms, true});
+  const auto told = mountTransforms(setup_, &sim::Mount::T_base_nominal);
+  if (params_.static_tf && !told->transforms.empty()) sink({"/tf_static", simTime(0.0), told, true});
   if (!params_.truth) return;
+  sink({"truth/tf_static", simTime(0.0), mountTransforms(setup_, &sim::Mount::T_base_sensor), true});
   sink({"truth/grid", simTime(0.0), truthGrid(world_, sliceHeight(setup_)), true});
   boost::shared_ptr<const visualization_msgs::MarkerArray> markers = worldMarkers(world_);
   sink({"truth/markers", simTime(0.0), markers, true});

@@ -9,21 +9,11 @@
 
 #include "field_fusion/GroundPlane.h"
 #include "field_fusion/ImageDetectionArray.h"
+#include "support/red_image.h"
 #include "support/stage_probe.h"
 
 namespace field_fusion::test {
 namespace {
-
-sensor_msgs::Image redImage(double stamp, std::uint32_t side = 32) {
-  sensor_msgs::Image image;
-  image.header.frame_id = "camera_optical";
-  image.header.stamp.fromSec(stamp);
-  image.encoding = "rgb8";
-  image.width = image.height = side;
-  image.step = 3 * side;
-  for (std::uint32_t i = 0; i < side * side; ++i) image.data.insert(image.data.end(), {255, 0, 0});
-  return image;
-}
 
 /// fx = fy = 20 px, the optical axis at (8, 8) px.
 sensor_msgs::CameraInfo infoFor(const sensor_msgs::Image& image) {

@@ -104,5 +104,26 @@ TEST(Refuse, ClassFileShorterThanTheModelsClasses) {
   EXPECT_SAYS(outcome, "2");
 }
 
+TEST(Refuse, CalibrationThatCannotBeHad) {
+  const std::string model = "_model:=" PROJECT_DIR "/test/fixtures/stock_head.onnx _camera_info_url:=";
+  const auto scheme = start("detect", "refused_scheme", model + "http://somewhere/camera.yaml");
+  EXPECT_NE(scheme.status, 0);
+  EXPECT_NE(scheme.status, kTimedOut);
+  EXPECT_SAYS(scheme, "camera_info_url http://somewhere/camera.yaml: must be file:///PATH or package://");
+  const auto missing = start("detect", "refused_file", model + "file:///no/such/camera.yaml");
+  EXPECT_NE(missing.status, 0);
+  EXPECT_SAYS(missing, "camera_info_url file:///no/such/camera.yaml: no calibration can be read from it");
+}
+
+TEST(Refuse, CalibrationOfACameraWithoutFocalLength) {
+  const std::string path = testing::TempDir() + "refuse_camera.yaml";
+  ASSERT_EQ(std::system(("sed 's/20\\.0/0.0/g' " PROJECT_DIR "/test/fixtures/camera.yaml > " + path).c_str()), 0);
+  const auto outcome = start("detect", "refused_focal",
+                             "_model:=" PROJECT_DIR "/test/fixtures/stock_head.onnx _camera_info_url:=file://" + path);
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, path);
+  EXPECT_SAYS(outcome, "camera info is not calibrated");
+}
+
 }  // namespace
 }  // namespace field_fusion::test

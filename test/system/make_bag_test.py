@@ -18,8 +18,9 @@ bodies:
 robot:
   pose: [0, 0, 0]
   mounts:
-    - {name: scan, model: lms141, pose: [0, 0, 0.3]}
+    - {name: scan, model: lms141, pose: [0, 0, 0.3], mount_error: {angle_deg: 0, place: 0}, clock_error: 0}
 """
+CLOCK = 0.002  # s by which a clock is off at most
 
 
 def make(world, bag, *more):
@@ -41,6 +42,11 @@ def transforms(messages, *topics):
     return [t for topic in topics for _, message in messages[topic] for t in message.transforms]
 
 
+def place(transform):
+    where = transform.transform.translation
+    return where.x, where.y, where.z
+
+
 def world_file(folder, text):
     """Beside the sensors that come with the package."""
     (folder / "worlds").mkdir()
@@ -56,11 +62,11 @@ def test_every_world_makes_a_bag_of_ordered_stamps_and_known_frames(world, tmp_p
     messages = read(tmp_path / "a.bag")
     frames = {name for t in transforms(messages, "/tf_static", "/tf") for name in (t.header.frame_id, t.child_frame_id)}
     sensors = [topic for topic in messages if not topic.startswith(("/truth/", "/tf"))]
-    assert sensors and {"/truth/pose", "/truth/bodies", "/truth/grid", "/truth/markers"} <= set(messages)
+    assert sensors and {"/truth/pose", "/truth/bodies", "/truth/grid", "/truth/markers", "/truth/tf_static"} <= set(messages)
     for topic in sensors:
         stamps = [message.header.stamp for _, message in messages[topic]]
-        assert all(a < b for a, b in zip(stamps, stamps[1:])) and stamps[0].to_sec() >= 1000
-        assert all(time >= message.header.stamp for time, message in messages[topic])
+        assert all(a < b for a, b in zip(stamps, stamps[1:])) and stamps[0].to_sec() >= 1000 - CLOCK
+        assert all((message.header.stamp - time).to_sec() <= CLOCK for time, message in messages[topic])
         assert {message.header.frame_id for _, message in messages[topic]} <= frames, topic
     assert "world" not in frames  # the truth is not in /tf
 
@@ -104,7 +110,7 @@ def test_without_truth_the_sensors_say_the_same(tmp_path):
 
 
 def test_a_wrong_clock_is_wrong_by_one_amount_of_its_seed(tmp_path):
-    wrong = world_file(tmp_path, LIDAR.replace("model: lms141", "model: lms141, clock_error: 0.01"))
+    wrong = world_file(tmp_path, LIDAR.replace("clock_error: 0}", "clock_error: 0.01}"))
     errors = []
     for seed in (1, 2):
         make(wrong, tmp_path / "a.bag", "--seconds", "0.2", "--seed", seed)
@@ -115,14 +121,46 @@ def test_a_wrong_clock_is_wrong_by_one_amount_of_its_seed(tmp_path):
     assert errors[0] != errors[1]
 
 
+def test_mounts_are_told_as_in_the_file_and_are_where_the_truth_says(tmp_path):
+    loose = world_file(tmp_path, LIDAR.replace("place: 0}", "place: 0.3}"))
+    places = []
+    for seed in (1, 2):
+        make(loose, tmp_path / "a.bag", "--seconds", "0.1", "--seed", seed)
+        messages = read(tmp_path / "a.bag")
+        (told,), (true,) = (transforms(messages, topic) for topic in ("/tf_static", "/truth/tf_static"))
+        assert (told.header.frame_id, told.child_frame_id) == (true.header.frame_id, true.child_frame_id) == ("base", "scan")
+        assert place(told) == pytest.approx((0, 0, 0.3), abs=1e-12)
+        assert max(abs(a - b) for a, b in zip(place(told), place(true))) <= 0.3
+        scan = messages["/truth/scan/scan"][0][1]
+        assert scan.ranges[270] == pytest.approx(3.9 - place(true)[0], abs=1e-4)  # its rays start there
+        places.append(place(true))
+    assert places[0] != places[1]
+
+
+def test_sizes_of_bodies_are_those_of_the_seed_and_told_by_the_truth_alone(tmp_path):
+    widths = set()
+    for seed in (1, 2, 3):
+        make("usv_cages", tmp_path / "a.bag", "--seconds", "0.25", "--seed", seed, "--mounts", "lidar")
+        for _, bodies in read(tmp_path / "a.bag")["/truth/bodies"]:
+            (cage,) = (body for body in bodies.bodies if body.label == "cage")
+            assert abs(cage.size.x / 0.5 - 1) <= 0.1001  # of the file: 0.5 m
+            widths.add(cage.size.x)
+    assert len(widths) == 3
+
+
 FAULTS = {  # what is done to the world: what is said
     "no world nowhere": ("nowhere", "no world nowhere"),
-    "sensor at zero rate": (LIDAR.replace("model: lms141", "model: lms141, rate: 0"), "rate"),
-    "camera in a wall": (LIDAR.replace("pose: [0, 0, 0.3]", "pose: [4, 0, 0.3]"), "inside the body wall"),
-    "two points at one time": (LIDAR.replace("  pose: [0, 0, 0]", "  motion: {points: [[0, 0], [0, 0]]}"), "own.yaml:6: robot.motion.points"),
-    "unknown key": (LIDAR.replace("kind: plane", "kind: plane, colour: red"), "colour"),
-    "unknown sensor": (LIDAR.replace("lms141", "lms142"), "lms141"),
-    "no sensors": (LIDAR[:LIDAR.index("  mounts")], "no sensors"),
+    "sensor at zero rate": (LIDAR.replace("model: lms141", "model: lms141, rate: 0"), "own.yaml:8: robot.mounts[0].rate: "),
+    "camera in a wall": (LIDAR.replace("pose: [0, 0, 0.3]", "pose: [4, 0, 0.3]"),
+                         "own.yaml:8: robot.mounts[0]: the sensor scan is inside the body wall"),
+    "two points at one time": (LIDAR.replace("  pose: [0, 0, 0]", "  motion: {points: [[0, 0], [0, 0]]}"), "own.yaml:6: robot.motion.points: "),
+    "unknown key": (LIDAR.replace("kind: plane", "kind: plane, colour: red"), "own.yaml:2: ground.colour: unknown key"),
+    "missing mesh": (LIDAR.replace("shape: wall, params: {length: 8, width: 0.2, height: 2}", "mesh: wall.obj"), "own.yaml:4: bodies[0].mesh: "),
+    "negative size": (LIDAR.replace("width: 0.2", "width: -0.2"), "own.yaml:4: bodies[0].params: "),
+    "robot leaves the terrain": (LIDAR.replace("kind: plane", "kind: rough, half_extent: 9").replace(
+        "  pose: [0, 0, 0]", "  motion: {points: [[0, 0], [0, 10]]}"), "own.yaml:6: robot.motion.points: leaves the ground"),
+    "unknown sensor": (LIDAR.replace("lms141", "lms142"), "own.yaml:8: robot.mounts[0].model: "),
+    "no sensors": (LIDAR[:LIDAR.index("  mounts")], "own.yaml: the robot has no sensors"),
 }
 
 

@@ -14,7 +14,7 @@ INCLUDE_DIRS = ["/usr/include", "/usr/include/x86_64-linux-gnu", "/usr/include/e
                 "/usr/include/pluginlib", *map(str, pathlib.Path("/usr/include").glob("pcl-*"))]
 CONFIG_FILES = ["/usr/share/{0}/cmake/{0}Config.cmake", "/usr/lib/x86_64-linux-gnu/cmake/{0}/{0}Config.cmake"]
 PROGRAMS = ["cmake", "ccache", "git", "g++", "make", "catkin_make", "rosrun", "roslaunch", "roscore", "rostest", "rosparam",
-            "rosbag", "rospack", "rviz", "Xvfb", "import", "pytest-3"]
+            "rosbag", "rospack", "rviz", "Xvfb", "check_urdf", "import", "pytest-3"]
 DPKG = shutil.which("dpkg-query")
 pytestmark = pytest.mark.skipif(not DPKG, reason="not a Debian machine")
 

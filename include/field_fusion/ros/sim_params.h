@@ -11,16 +11,19 @@ struct SimParams {
   std::string world = "usv_harbour";
   int seed = 1;
   std::vector<std::string> mounts;
-  bool truth = true;
+  bool truth = true, static_tf = true;
   bool depth_metres = false, depth_points = false, labels = false;
 
   void declare(core::Params& p) {
     using core::When;
     p.text("world", world, When::kStart,
            "File of the world, or the name of one that comes with the package.");
-    p.number("seed", seed, {0, 2147483647}, "", When::kStart, "Of every error that sensors make.");
+    p.number("seed", seed, {0, 2147483647}, "", When::kStart, 
+           "Of every error that sensors make, and of what no user knows: true mounts, clocks, sizes.");
     p.texts("mounts", mounts, When::kStart, "Sensors that take part; empty: all.");
     p.flag("truth", truth, When::kStart, "Also what no stage may read: truth/...");
+    p.flag("static_tf", static_tf, When::kStart,
+           "Also /tf_static; not needed where robot_state_publisher has the robot's URDF.");
     p.flag("depth_metres", depth_metres, When::kStart, "Depth images also as 32FC1.");
     p.flag("depth_points", depth_points, When::kStart, "Depth images also as clouds.");
     p.flag("labels", labels, When::kStart, "With truth: which body each pixel of a camera shows.");

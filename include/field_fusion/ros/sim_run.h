@@ -15,8 +15,13 @@ namespace field_fusion {
 std::string worldFile(const std::string& world);
 std::vector<std::string> shippedWorlds();
 
-/// Where the sensors are on the robot: base -> each mount but odometry, and a camera's optical frame.
-boost::shared_ptr<const tf2_msgs::TFMessage> staticTransforms(const SimSetup& setup);
+/// The folder of the sensors' files: `sensors` beside the world's own folder, else that of the package.
+std::string sensorsBeside(const std::string& world_file);
+
+/// Where the sensors are on the robot, as told or as true: base -> each mount but odometry, and a camera's
+/// optical frame.
+boost::shared_ptr<const tf2_msgs::TFMessage> mountTransforms(
+    const SimSetup& setup, core::Transform core::sim::Mount::*T_base_mount);
 
 /// The truth of a horizontal slice at the start. `height` [m] in the world.
 boost::shared_ptr<const nav_msgs::OccupancyGrid> truthGrid(const core::sim::World& world, double height);

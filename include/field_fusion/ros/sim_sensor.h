@@ -17,15 +17,12 @@ struct SimSetup {
   const core::sim::World& world;
   core::sim::Caster& caster;
   const SimParams& params;
-  std::string sensors;  ///< folder of the sensors' files
+  std::string sensors;      ///< folder of the sensors' files
+  std::string tf_odometry;  ///< the mount that says where the base is on /tf too
 
   std::uint64_t seedOf(const std::string& what) const;
+  const core::sim::SensorKind& kindOf(const core::sim::Mount& mount) const;
 };
-
-template <class P>
-P sensorParamsOf(const SimSetup& setup, const core::sim::Mount& mount) {
-  return core::sim::readSensor<P>(setup.sensors, mount.model, mount.overrides);
-}
 
 /// Something that gives out messages at a steady rate.
 class SimSource {
@@ -58,7 +55,6 @@ class SimMount {
   std::string truthTopic(const char* what) const { return "truth/" + name_ + "/" + what; }
   std_msgs::Header header(double time, const char* frame_suffix = "") const;
   const core::sim::PoseAt& pose() const { return pose_; }  ///< T_world_sensor
-  double clockError() const { return clock_error_; }       ///< [s]
 
  private:
   std::string name_;
@@ -68,21 +64,19 @@ class SimMount {
 
 using SimSources = std::vector<std::unique_ptr<SimSource>>;
 
-/// What one mount gives. Throws std::runtime_error that names file, line and key of a fault, or the kind of a
-/// sensor that is not known. `odometry_tf`: an odometry also says so on /tf.
-std::unique_ptr<SimSource> simSource(const SimSetup& setup, const core::sim::Mount& mount, bool odometry_tf);
-bool isOdometry(const SimSetup& setup, const core::sim::Mount& mount);
-bool isCamera(const SimSetup& setup, const core::sim::Mount& mount);  ///< has an optical frame
+/// What one mount gives. Throws std::runtime_error that names file, line and key of a fault.
+std::unique_ptr<SimSource> simSource(const SimSetup& setup, const core::sim::Mount& mount);
 
-// One maker for each kind in a sensor's file.
-std::unique_ptr<SimSource> simScanner2d(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simLidar3d(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simDepthCamera(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simColourCamera(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simImu(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simGnss(const SimSetup&, const core::sim::Mount&);
-std::unique_ptr<SimSource> simWheelOdometry(const SimSetup&, const core::sim::Mount&, bool tf);
-std::unique_ptr<SimSource> simLegOdometry(const SimSetup&, const core::sim::Mount&, bool tf);
+// One maker for each of core::sim::SensorParams.
+using Mounted = const core::sim::Mount&;
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::Scanner2dParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::Lidar3dParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::DepthCameraParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::CameraParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::ImuParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::GnssParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::WheelOdometryParams&);
+std::unique_ptr<SimSource> simSensor(const SimSetup&, Mounted, const core::sim::LegOdometryParams&);
 
 /// What is true of the robot and the bodies, each with its rate.
 SimSources simTruth(const SimSetup& setup);

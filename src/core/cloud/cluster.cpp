@@ -1,6 +1,7 @@
 #include "field_fusion/core/cloud/cluster.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace field_fusion::core {
@@ -22,9 +23,14 @@ const Clusters& Clusterer::run(const Cloud& cloud) {
   result_.row_gap = kNaN;
   const Sets sets = separate(cloud);
   result_.unusable = cloud.size() - sets.usable;
-  measure(cloud, sets);
-  order();
-  fill(cloud, sets.labels);
+  result_.noise = sets.usable - measure(cloud, sets);
+  choose();
+  label(cloud, sets.labels);
+  result_.clusters.clear();
+  result_.points.clear();
+  append(cloud, sets.labels, false);
+  result_.faint = 0;
+  if (params_.faint) addFaint(cloud, sets.labels);
   describeAll();
   return result_;
 }
@@ -87,7 +93,8 @@ double Clusterer::fewest(float nearest2) const {
   }
 }
 
-void Clusterer::measure(const Cloud& cloud, const Sets& sets) {
+/// Counts the points that are in sets.
+std::size_t Clusterer::measure(const Cloud& cloud, const Sets& sets) {
   extents_.assign(sets.count, {});
   std::size_t members = 0;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
@@ -99,10 +106,10 @@ void Clusterer::measure(const Cloud& cloud, const Sets& sets) {
     extent.nearest2 = std::min(extent.nearest2, range2);
     ++members;
   }
-  result_.noise = sets.usable - members;
+  return members;
 }
 
-void Clusterer::order() {
+void Clusterer::choose() {
   const auto most = static_cast<std::uint32_t>(params_.max_points);
   kept_.clear();
   result_.too_large = 0;
@@ -115,33 +122,56 @@ void Clusterer::order() {
     else
       kept_.push_back(static_cast<int>(set));
   }
+  sortByRange();
+}
+
+void Clusterer::sortByRange() {
   std::sort(kept_.begin(), kept_.end(), [this](int a, int b) {
     return std::tie(extents_[a].nearest2, extents_[a].first) <
            std::tie(extents_[b].nearest2, extents_[b].first);
   });
+  place_.assign(extents_.size(), kNoise);
+  for (std::size_t k = 0; k < kept_.size(); ++k) place_[kept_[k]] = static_cast<int>(k);
 }
 
-void Clusterer::fill(const Cloud& cloud, const std::vector<int>& sets) {
-  place_.assign(extents_.size(), kNoise);
-  result_.clusters.resize(kept_.size());
-  std::uint32_t first = 0;
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
-    const Extent& extent = extents_[kept_[k]];
-    place_[kept_[k]] = static_cast<int>(k);
-    result_.clusters[k] = {};
-    result_.clusters[k].points = {first, 0};
-    result_.clusters[k].nearest_range = std::sqrt(extent.nearest2);
-    first += extent.count;
+void Clusterer::label(const Cloud& cloud, const std::vector<int>& sets) {
+  result_.labels.resize(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    result_.labels[i] = sets[i] == kNoise ? kNoise : place_[sets[i]];
+}
+
+void Clusterer::append(const Cloud& cloud, const std::vector<int>& sets, bool faint) {
+  const std::size_t before = result_.clusters.size();
+  auto first = static_cast<std::uint32_t>(result_.points.size());
+  for (const int set : kept_) {
+    Cluster& cluster = result_.clusters.emplace_back();
+    cluster.points = {first, 0};
+    cluster.nearest_range = std::sqrt(extents_[set].nearest2);
+    cluster.faint = faint;
+    first += extents_[set].count;
   }
   result_.points.resize(first);
-  result_.labels.resize(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const int label = sets[i] == kNoise ? kNoise : place_[sets[i]];
-    result_.labels[i] = label;
-    if (label == kNoise) continue;
-    IndexRange& range = result_.clusters[label].points;
+    if (sets[i] == kNoise || place_[sets[i]] == kNoise) continue;
+    IndexRange& range = result_.clusters[before + static_cast<std::size_t>(place_[sets[i]])].points;
     result_.points[range.first + range.count++] = cloud[i];
   }
+}
+
+/// What belongs to no cluster is grouped by nearness alone. Clusters that were too large are not faint.
+void Clusterer::addFaint(const Cloud& cloud, const std::vector<int>& sets) {
+  const auto most = static_cast<std::uint32_t>(params_.max_points);
+  rest_.clear();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (result_.labels[i] == kNoise && (sets[i] == kNoise || extents_[sets[i]].count <= most))
+      rest_.push_back(cloud[i]);
+  const auto& groups = dbscan_.runEuclidean(rest_, static_cast<float>(params_.epsilon));
+  measure(rest_, {groups, dbscan_.clusterCount(), dbscan_.usableCount()});
+  kept_.resize(extents_.size());
+  std::iota(kept_.begin(), kept_.end(), 0);
+  sortByRange();
+  append(rest_, groups, true);
+  result_.faint = kept_.size();
 }
 
 void Clusterer::describeAll() {

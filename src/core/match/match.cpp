@@ -30,7 +30,8 @@ void Matcher::setParams(const MatchParams& params) {
   Gate gate;
   gate.setParams(params.gate, params.obstacle.lidar_range_sigma, bearing_sigma);
   optimal_.setGate(gate);
-  splitter_.setParams(params.split, gate, 2.0 * bearing_sigma);
+  margin_ = 2.0 * bearing_sigma;
+  splitter_.setParams(params.split, gate, margin_);
   tolerance_.setParams(params.tolerance);
 }
 
@@ -38,14 +39,17 @@ const std::vector<Obstacle>& Matcher::run(const std::vector<Cluster>& clusters,
                                           const std::vector<Point>& points,
                                           const std::vector<std::optional<CameraView>>& views) {
   bodies_.clear();
-  for (const Cluster& cluster : clusters)
-    bodies_.push_back({cluster, static_cast<int>(bodies_.size()), 0, {}});
+  for (std::size_t c = 0; c < clusters.size(); ++c)
+    if (!clusters[c].faint) bodies_.push_back({clusters[c], static_cast<int>(c), 0, {}});
   if (params_.method == MatchMethod::kOptimal)
     for (const auto& view : views)
       if (view) splitter_.run(bodies_, points, *view);
 
   verdicts_.clear();
   for (const auto& view : views) verdicts_.push_back(view ? judge(*view) : Verdicts{});
+  if (params_.method == MatchMethod::kOptimal)
+    for (std::size_t camera = 0; camera < views.size(); ++camera)
+      if (views[camera]) claimFaint(clusters, *views[camera], verdicts_[camera]);
   obstacles_.clear();
   addBodies(views);
   for (std::size_t camera = 0; camera < views.size(); ++camera)
@@ -60,6 +64,42 @@ const Verdicts& Matcher::judge(const CameraView& view) {
   camera_.clear();
   for (const CameraTarget& target : view.targets) camera_.push_back(target.polar);
   return tolerance_.run(lidar_, camera_);
+}
+
+/// What a camera claims joins the bodies; to the other cameras it is a body without partner.
+void Matcher::claimFaint(const std::vector<Cluster>& clusters, const CameraView& view, Verdicts& verdicts) {
+  const auto claimed = [&](std::size_t place) {
+    return std::any_of(bodies_.rbegin(), bodies_.rend(),
+                       [&](const LidarTarget& b) { return b.place == static_cast<int>(place); });
+  };
+  faint_.clear();
+  for (std::size_t c = 0; c < clusters.size(); ++c)
+    if (clusters[c].faint && !claimed(c)) faint_.push_back({clusters[c], static_cast<int>(c), 0, {}});
+  unmatched_.targets.clear();
+  unmatched_.T_view_lidar = view.T_view_lidar;
+  unmatched_place_.clear();
+  for (std::size_t t = 0; t < view.targets.size(); ++t) {
+    const CameraTarget& target = view.targets[t];
+    if (verdicts.camera[t].partner >= 0 || !target.box.known() || !std::isfinite(target.ray_range)) continue;
+    unmatched_.targets.push_back(target);
+    unmatched_place_.push_back(static_cast<int>(t));
+  }
+  if (faint_.empty() || unmatched_.targets.empty()) return;
+
+  const Verdicts& found = optimal_.run(faint_, unmatched_);
+  for (std::size_t f = 0; f < faint_.size(); ++f) {
+    const int partner = found.lidar[f].partner;
+    if (partner < 0) continue;
+    const Eigen::Vector3d centre = view.T_view_lidar * faint_[f].cluster.centre.cast<double>();
+    if (!unmatched_.targets[partner].box.contains(centre, margin_)) continue;
+    const int target = unmatched_place_[partner];
+    verdicts.camera[target] = found.lidar[f];
+    verdicts.camera[target].partner = static_cast<int>(bodies_.size());
+    bodies_.push_back(faint_[f]);
+    for (Verdicts& camera : verdicts_) camera.lidar.emplace_back();
+    verdicts.lidar.back() = found.lidar[f];
+    verdicts.lidar.back().partner = target;
+  }
 }
 
 void Matcher::addBodies(const std::vector<std::optional<CameraView>>& views) {

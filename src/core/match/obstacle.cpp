@@ -32,7 +32,7 @@ Obstacle lidarObstacle(const LidarTarget& body, const Verdict& verdict, const Ob
   out.position = cluster.centre.cast<double>();
   out.size = cluster.box.sizes().cast<double>();
   out.covariance = lidarCovariance(out.size, params);
-  out.existence = params.lidar_existence;
+  out.existence = cluster.faint ? params.faint_existence : params.lidar_existence;
   out.polar = cluster.polar;
   out.verdict = verdict;
   return out;

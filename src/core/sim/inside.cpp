@@ -40,17 +40,35 @@ struct Holds {
 };
 
 struct Move {
-  const Eigen::Isometry3f& T;
+  const Eigen::Affine3f& T;
+  float scale;  // that is in T
 
   void operator()(Mesh& mesh) const {
     for (Eigen::Vector3f& vertex : mesh.vertices) vertex = T * vertex;
   }
-  void operator()(Sphere& sphere) const { sphere.centre = T * sphere.centre; }
+  void operator()(Sphere& sphere) const {
+    sphere.centre = T * sphere.centre;
+    sphere.radius *= scale;
+  }
   void operator()(Cylinder& cylinder) const {
     cylinder.foot = T * cylinder.foot;
     cylinder.axis = T.linear() * cylinder.axis;
+    cylinder.radius *= scale;
   }
 };
+
+/// T turns, moves and makes `scale` times as large.
+Model changed(Model model, const Eigen::Affine3d& T, double scale) {
+  const Eigen::Affine3f Tf = T.cast<float>();
+  for (Link& link : model.links) {
+    for (Part& part : link.parts) std::visit(Move{Tf, static_cast<float>(scale)}, part.shape);
+    if (!link.joint) continue;
+    link.joint->pivot = T * link.joint->pivot;
+    link.joint->axis = T.linear() * link.joint->axis / scale;
+    link.joint->period *= scale;
+  }
+  return model;
+}
 
 }  // namespace
 
@@ -64,14 +82,12 @@ bool inside(const Model& model, const Eigen::Vector3d& point, double time) {
 }
 
 Model moved(Model model, const Transform& T_body_model) {
-  const Eigen::Isometry3f T = T_body_model.cast<float>();
-  for (Link& link : model.links) {
-    for (Part& part : link.parts) std::visit(Move{T}, part.shape);
-    if (!link.joint) continue;
-    link.joint->pivot = T_body_model * link.joint->pivot;
-    link.joint->axis = T_body_model.linear() * link.joint->axis;
-  }
-  return model;
+  return changed(std::move(model), Eigen::Affine3d(T_body_model), 1.0);
+}
+
+Model scaled(Model model, double factor, double foot) {
+  const Eigen::Translation3d up(0.0, 0.0, foot);
+  return changed(std::move(model), up * Eigen::Scaling(factor) * up.inverse(), factor);
 }
 
 }  // namespace field_fusion::core::sim

@@ -41,6 +41,20 @@ void Mesh::add(const Mesh& other, const Eigen::Isometry3f& T_this_other) {
   for (const auto& [a, b, c] : other.triangles) triangles.push_back({first + a, first + b, first + c});
 }
 
+Transform frameOf(const Cylinder& cylinder) {
+  const Eigen::Vector3d axis = cylinder.axis.cast<double>();
+  const Eigen::Vector3d middle = cylinder.foot.cast<double>() + 0.5 * axis;
+  return Eigen::Translation3d(middle) * Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+}
+
+Eigen::Vector4f shownColour(const Material& material) {
+  const bool plain = material.texture == Material::Texture::kPlain;
+  const Eigen::Vector3f mean = plain ? material.colour : 0.5f * (material.colour + material.colour2);
+  Eigen::Vector4f shown;
+  shown << mean.cwiseMax(0.f).cwiseMin(1.f).array().pow(1.f / 2.2f), 1.f - 0.7f * material.transparency;
+  return shown;
+}
+
 Transform Joint::at(double time) const {
   const double angle = bias + amplitude * std::sin(radians(360.0) * time / period + phase);
   return Eigen::Translation3d(pivot) * Eigen::AngleAxisd(angle, axis) * Eigen::Translation3d(-pivot);

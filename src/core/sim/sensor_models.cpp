@@ -2,15 +2,12 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 
 namespace field_fusion::core::sim {
 namespace {
-
-const std::vector<std::string> kKinds = {"scanner2d", "lidar3d", "depth_camera"};
 
 /// Where a value stands, for what is said about it.
 struct Source {
@@ -61,27 +58,49 @@ void setFromFile(const std::string& file, const YAML::Node& root, const Params& 
     if (!seen.count(param.name)) Source{file}.fail(param.name + " is missing");
 }
 
-std::size_t kindIn(const std::string& file) {
-  const YAML::Node root = load(file), kind = root["kind"];
-  if (!kind) Source{file}.fail("kind is missing");
-  const std::string name = kind.IsScalar() ? kind.Scalar() : "";
-  const auto it = std::find(kKinds.begin(), kKinds.end(), name);
-  if (it == kKinds.end())
-    lineOf(file, kind).fail("kind '" + name + "' is none of scanner2d, lidar3d, depth_camera");
-  return static_cast<std::size_t>(it - kKinds.begin());
+template <class P>
+SensorParams readAs(const std::string& file, const Overrides& overrides) {
+  P params;
+  Params declared = declarationOf(params);
+  readSensorFile(file, overrides, declared);
+  return params;
+}
+
+std::string fileOf(const std::string& folder, const std::string& model) {
+  return (std::filesystem::path(folder) / (model + ".yaml")).string();
 }
 
 }  // namespace
 
-std::string sensorFile(const std::string& folder, const std::string& model) {
-  return (std::filesystem::path(folder) / (model + ".yaml")).string();
+const std::vector<SensorKind>& sensorKinds() {
+  static const std::vector<SensorKind> kinds{
+      {"scanner2d", false, false, readAs<Scanner2dParams>},
+      {"lidar3d", false, false, readAs<Lidar3dParams>},
+      {"depth_camera", true, false, readAs<DepthCameraParams>},
+      {"camera", true, false, readAs<CameraParams>},
+      {"imu", false, false, readAs<ImuParams>},
+      {"gnss", false, false, readAs<GnssParams>},
+      {"wheel_odometry", false, true, readAs<WheelOdometryParams>},
+      {"leg_odometry", false, true, readAs<LegOdometryParams>},
+  };
+  return kinds;
 }
 
-std::string sensorKind(const std::string& folder, const std::string& model) {
-  const std::string file = sensorFile(folder, model);
+const SensorKind& sensorKind(const std::string& folder, const std::string& model) {
+  const std::string file = fileOf(folder, model);
   const YAML::Node root = load(file), kind = root["kind"];
-  if (!kind || !kind.IsScalar()) Source{file}.fail("kind is missing");
-  return kind.Scalar();
+  if (!kind) Source{file}.fail("kind is missing");
+  const std::string name = kind.IsScalar() ? kind.Scalar() : "";
+  std::string known;
+  for (const SensorKind& each : sensorKinds()) {
+    if (name == each.name) return each;
+    known += (known.empty() ? "" : ", ") + std::string(each.name);
+  }
+  lineOf(file, kind).fail("kind '" + name + "' is none of " + known);
+}
+
+SensorParams sensorParams(const std::string& folder, const std::string& model, const Overrides& overrides) {
+  return sensorKind(folder, model).read(fileOf(folder, model), overrides);
 }
 
 void readSensorFile(const std::string& file, const Overrides& overrides, Params& declared) {
@@ -93,32 +112,6 @@ void readSensorFile(const std::string& file, const Overrides& overrides, Params&
     set(*param, YAML::Load(text), source);
   }
   if (const auto faults = declared.faults(); !faults.empty()) Source{file}.fail(faults.front());
-}
-
-SensorParams sensorParams(const std::string& folder, const std::string& model, const Overrides& overrides) {
-  switch (static_cast<SensorKind>(kindIn(sensorFile(folder, model)))) {
-    case SensorKind::kScanner2d:
-      return readSensor<Scanner2dParams>(folder, model, overrides);
-    case SensorKind::kLidar3d:
-      return readSensor<Lidar3dParams>(folder, model, overrides);
-    case SensorKind::kDepthCamera:
-      break;
-  }
-  return readSensor<DepthCameraParams>(folder, model, overrides);
-}
-
-namespace {
-
-Sensor sensorOf(const Scanner2dParams& params, std::uint64_t seed) { return Scanner2d(params, seed); }
-Sensor sensorOf(const Lidar3dParams& params, std::uint64_t seed) { return Lidar3d(params, seed); }
-Sensor sensorOf(const DepthCameraParams& params, std::uint64_t seed) { return DepthCamera(params, seed); }
-
-}  // namespace
-
-Sensor makeSensor(const std::string& folder, const std::string& model, const Overrides& overrides,
-                  std::uint64_t seed) {
-  return std::visit([&](const auto& params) { return sensorOf(params, seed); },
-                    sensorParams(folder, model, overrides));
 }
 
 }  // namespace field_fusion::core::sim

@@ -10,6 +10,9 @@ namespace field_fusion::core::sim {
 namespace {
 
 constexpr double kStep = 0.5e-3;  // [s] half the span of a difference
+// Speed for a shake: its mean over a span, so that the shake grows smoothly where the acceleration jumps.
+constexpr double kPace = 0.4;   // [s]
+constexpr double kLever = 0.3;  // [m] from the middle to the feet, by which a turn on the spot is walked
 
 void require(bool holds, const std::string& reason) {
   if (!holds) throw std::invalid_argument(reason);
@@ -41,6 +44,7 @@ void check(const Shake& shake) {
   for (const Shake::Term& term : shake.terms)
     require(term.amplitude.allFinite() && term.phase.allFinite() && std::isfinite(term.frequency),
             "a term of the shake is not finite");
+  require(shake.full_speed >= 0 && std::isfinite(shake.full_speed), "full_speed must not be below 0");
 }
 
 }  // namespace
@@ -53,13 +57,39 @@ struct Trajectory::Path {
   bool carrier_moves = false;
 
   double end() const { return pieces.back().begin + pieces.back().length; }
+
+  /// T_world_way, neither carried nor shaken.
+  Transform way(double time) const {
+    double at = std::clamp(time, 0.0, end());
+    if (loop && time > end() && end() > 0) at = std::fmod(time, end());
+    auto piece = std::upper_bound(pieces.begin(), pieces.end(), at,
+                                  [](double t, const Piece& next) { return t < next.begin; });
+    --piece;  // the first one begins at 0
+    const double t = std::min(at - piece->begin, piece->length);
+    Transform T_world_way(Eigen::AngleAxisd(piece->yaw(t), Eigen::Vector3d::UnitZ()));
+    T_world_way.translation() = piece->position(t);
+    return T_world_way;
+  }
+
+  /// Of the shake. Its second derivative is bounded, or an inertial unit would feel knocks.
+  double share(double time) const {
+    if (shake.full_speed == 0) return 1.0;
+    const Transform before = way(time - kPace / 2), after = way(time + kPace / 2);
+    const Eigen::Matrix3d turn = before.linear().transpose() * after.linear();
+    const double on_the_spot = kLever * std::atan2(turn(1, 0), turn(0, 0));
+    const double speed =
+        std::hypot((after.translation() - before.translation()).norm(), on_the_spot) / kPace;
+    const double x = std::min(1.0, speed / shake.full_speed);
+    return x * x * x * (10 + x * (-15 + 6 * x));
+  }
 };
 
-Transform Shake::at(double time) const {
+Transform Shake::at(double time, double share) const {
   Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
   for (const Term& term : terms)
     sum.array() +=
         term.amplitude.array() * (term.phase.array() + 2 * radians(180.0) * term.frequency * time).sin();
+  sum *= share;
   Transform T_way_body(Eigen::AngleAxisd(sum[2], Eigen::Vector3d::UnitZ()) *
                        Eigen::AngleAxisd(sum[1], Eigen::Vector3d::UnitY()) *
                        Eigen::AngleAxisd(sum[0], Eigen::Vector3d::UnitX()));
@@ -88,18 +118,9 @@ Trajectory Trajectory::carriedBy(Carrier carrier, bool moves) const {
 }
 
 Transform Trajectory::pose(double time) const {
-  const double end = path_->end();
-  double at = std::clamp(time, 0.0, end);
-  if (path_->loop && time > end && end > 0) at = std::fmod(time, end);
-  const auto& pieces = path_->pieces;
-  auto piece = std::upper_bound(pieces.begin(), pieces.end(), at,
-                                [](double t, const Piece& next) { return t < next.begin; });
-  --piece;  // the first one begins at 0
-  const double t = std::min(at - piece->begin, piece->length);
-  Transform pose(Eigen::AngleAxisd(piece->yaw(t), Eigen::Vector3d::UnitZ()));
-  pose.translation() = piece->position(t);
+  Transform pose = path_->way(time);
   if (path_->carrier) pose = path_->carrier(pose, time);
-  return path_->shake.terms.empty() ? pose : pose * path_->shake.at(time);
+  return path_->shake.terms.empty() ? pose : pose * path_->shake.at(time, path_->share(time));
 }
 
 Eigen::Vector3d Trajectory::velocity(double time) const {
@@ -116,7 +137,8 @@ Eigen::Vector3d Trajectory::angularVelocity(double time) const {
 double Trajectory::duration() const { return path_->end(); }
 
 bool Trajectory::still() const {
-  return path_->end() == 0 && path_->shake.terms.empty() && !path_->carrier_moves;
+  const bool shakes = !path_->shake.terms.empty() && path_->shake.full_speed == 0;
+  return path_->end() == 0 && !shakes && !path_->carrier_moves;
 }
 
 }  // namespace field_fusion::core::sim

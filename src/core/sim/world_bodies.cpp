@@ -71,6 +71,12 @@ std::vector<Eigen::Vector2d> readRepeat(const Yaml& repeat) {
   return out;
 }
 
+/// [m] where a larger body stays as it is: its waterline if it floats, else what it stands on.
+double footOf(const Yaml& yaml, const Model& model) {
+  const bool floats = yaml.has("floats") && yaml["floats"].flag();
+  return floats ? 0.0 : model.box().min().z();
+}
+
 void checkName(const Yaml& yaml, const std::string& name, const std::vector<Body>& bodies) {
   for (const Body& other : bodies)
     if (other.name == name) yaml.fail("two bodies are named " + name);
@@ -86,19 +92,24 @@ Model readModel(const Yaml& yaml) {
   return model;
 }
 
-std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground) {
+std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground, double size_spread, const Draws& draws) {
   std::vector<Body> bodies;
   for (const Yaml& item : yaml.list()) {
-    item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat"}));
+    item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat", "size_spread"}));
     Body body;
     if (item.has("label")) body.label = item["label"].text();
-    body.model = readModel(item);
-    body.size = body.model.box().sizes();
+    const double spread = item.has("size_spread") ? item["size_spread"].number(0, kMostSpread)
+                          : body.label.empty()    ? 0.0
+                                                  : size_spread;
+    const Model nominal = readModel(item);
+    const double foot = footOf(item, nominal);
     const bool several = item.has("repeat");
     const auto places = several ? readRepeat(item["repeat"]) : std::vector{Eigen::Vector2d(0, 0)};
     const std::string name = item["name"].text();
     for (std::size_t i = 0; i < places.size(); ++i) {
       body.name = several ? name + "_" + std::to_string(i + 1) : name;
+      body.model = scaled(nominal, 1.0 + draws.within(spread, "size of " + body.name), foot);
+      body.size = body.model.box().sizes();
       body.way = readWay(item, ground, body.model, places[i]);
       checkName(item, body.name, bodies);
       bodies.push_back(body);

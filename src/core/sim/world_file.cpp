@@ -99,31 +99,34 @@ std::vector<Dimension> readDimensions(const Yaml& yaml) {
 /// Sensors and the middle of the robot's own body, against every other body at the start.
 void checkRobotIsFree(const World& world, const Yaml& yaml) {
   const Transform T_world_base = world.robot.way.pose(0);
-  const auto check = [&](const std::string& what, const Eigen::Vector3d& place) {
+  const auto check = [&](const Yaml& at, const std::string& what, const Eigen::Vector3d& place) {
     for (const Body& body : world.bodies)
       if (inside(body.model, body.way.pose(0).inverse() * (T_world_base * place), 0))
-        yaml.fail(what + " is inside the body " + body.name + " at the start");
+        at.fail(what + " is inside the body " + body.name + " at the start");
   };
   const bool has_body = !world.robot.model.links.empty();
-  check("the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
-  for (const Mount& mount : world.robot.mounts)
-    check("the sensor " + mount.name, mount.T_base_sensor.translation());
+  check(yaml, "the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
+  const auto& mounts = world.robot.mounts;
+  for (std::size_t i = 0; i < mounts.size(); ++i)
+    check(yaml["mounts"].list()[i], "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
 }
 
 }  // namespace
 
-World loadWorld(const std::string& file, const std::string& sensors) {
+World loadWorld(const std::string& file, const std::string& sensors, std::optional<std::uint64_t> seed) {
   const Yaml yaml = Yaml::file(file);
-  yaml.onlyKeys({"name", "ground", "light", "bodies", "robot", "dimensions"});
+  yaml.onlyKeys({"name", "ground", "light", "size_spread", "bodies", "robot", "dimensions"});
+  const Draws draws(seed);
   World world;
   world.name = yaml.has("name") ? yaml["name"].text() : fs::path(file).stem().string();
   if (yaml.has("ground")) world.ground = readGround(yaml["ground"]);
   if (yaml.has("light")) world.light = readLight(yaml["light"]);
-  if (yaml.has("bodies")) world.bodies = readBodies(yaml["bodies"], world.ground);
+  const double spread = yaml.has("size_spread") ? yaml["size_spread"].number(0, kMostSpread) : 0.0;
+  if (yaml.has("bodies")) world.bodies = readBodies(yaml["bodies"], world.ground, spread, draws);
   if (yaml.has("dimensions")) world.dimensions = readDimensions(yaml["dimensions"]);
   const std::string beside = (fs::path(file).parent_path() / ".." / "sensors").lexically_normal().string();
   if (yaml.has("robot")) {
-    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors);
+    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors, draws);
     checkRobotIsFree(world, yaml["robot"]);
   }
   return world;

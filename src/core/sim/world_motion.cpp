@@ -12,19 +12,27 @@ struct PresetTerm {
   double frequency, roll, pitch, yaw, x, y, z, phase;
 };
 
-std::vector<PresetTerm> preset(const Yaml& yaml) {
+struct Preset {
+  double full_speed;  // [m/s]
+  std::vector<PresetTerm> terms;
+};
+
+Preset preset(const Yaml& yaml) {
   switch (yaml.oneOf({"gait", "waves", "road"})) {
     case 0:  // a trot of two strides a second: rolls and sways with the stride, bounces with each step
-      return {{2.0, 1.5, 0.0, 0.7, 0.0, 0.006, 0.0, 0.0}, {4.0, 0.0, 1.0, 0.0, 0.003, 0.0, 0.008, 40.0}};
+      return {0.2,
+              {{2.0, 1.5, 0.0, 0.7, 0.0, 0.006, 0.0, 0.0}, {4.0, 0.0, 1.0, 0.0, 0.003, 0.0, 0.008, 40.0}}};
     case 1:  // a small vessel in a light swell; of several lengths, so that it does not repeat soon
-      return {{0.23, 3.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0},
-              {0.31, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 70.0},
-              {0.41, 2.0, 0.0, 0.5, 0.0, 0.0, 0.03, 130.0},
-              {0.53, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 200.0}};
-    default:  // springs, and the wheels' hop
-      return {{1.4, 0.4, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0},
-              {1.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 60.0},
-              {11.0, 0.05, 0.08, 0.0, 0.0, 0.0, 0.001, 120.0}};
+      return {0.0,
+              {{0.23, 3.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0},
+               {0.31, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 70.0},
+               {0.41, 2.0, 0.0, 0.5, 0.0, 0.0, 0.03, 130.0},
+               {0.53, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 200.0}}};
+    default:  // springs, and the wheels' hop, in full at the pace of a field track
+      return {3.0,
+              {{1.4, 0.4, 0.0, 0.0, 0.0, 0.0, 0.01, 0.0},
+               {1.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 60.0},
+               {11.0, 0.05, 0.08, 0.0, 0.0, 0.0, 0.001, 120.0}}};
   }
 }
 
@@ -40,10 +48,11 @@ Shake::Term termOf(const PresetTerm& t, double scale) {
 Shake readShake(const Yaml& yaml) {
   Shake shake;
   if (yaml.isText() || yaml.isMap()) {
-    if (yaml.isMap()) yaml.onlyKeys({"preset", "scale"});
+    if (yaml.isMap()) yaml.onlyKeys({"preset", "scale", "full_speed"});
     const double scale = yaml.has("scale") ? yaml["scale"].number(0, 100) : 1.0;
-    for (const PresetTerm& term : preset(yaml.isMap() ? yaml["preset"] : yaml))
-      shake.terms.push_back(termOf(term, scale));
+    const Preset usual = preset(yaml.isMap() ? yaml["preset"] : yaml);
+    shake.full_speed = yaml.has("full_speed") ? yaml["full_speed"].number(0, 100) : usual.full_speed;
+    for (const PresetTerm& term : usual.terms) shake.terms.push_back(termOf(term, scale));
     return shake;
   }
   for (const Yaml& term : yaml.list()) {
@@ -96,23 +105,26 @@ Ride readRide(const Yaml& yaml, const Ground& ground) {
 void checkStaysOn(const Ground& ground, const Trajectory& way, const Yaml& yaml) {
   if (ground.kind != Ground::Kind::kRough) return;
   for (double t = 0; t <= way.duration(); t += 0.1)
-    if (const auto p = way.pose(t).translation(); p.head<2>().cwiseAbs().maxCoeff() > ground.half_extent)
+    if (const Eigen::Vector2d p = way.pose(t).translation().head<2>();
+        p.cwiseAbs().maxCoeff() > ground.half_extent)
       yaml.fail("leaves the ground, which ends " + shortNumber(ground.half_extent) + " m from the origin");
 }
 
 }  // namespace
 
-Transform readFrame(const Yaml& yaml) {
-  const auto n = yaml.numbers(3, 6);
-  if (n.size() != 3 && n.size() != 6) yaml.fail("must be [x, y, z] or [x, y, z, roll, pitch, yaw]");
-  Transform T = Transform::Identity();
-  T.translation() << n[0], n[1], n[2];
-  if (n.size() == 6)
-    T.linear() = (Eigen::AngleAxisd(radians(n[5]), Eigen::Vector3d::UnitZ()) *
-                  Eigen::AngleAxisd(radians(n[4]), Eigen::Vector3d::UnitY()) *
-                  Eigen::AngleAxisd(radians(n[3]), Eigen::Vector3d::UnitX()))
-                     .toRotationMatrix();
+Transform frameOf(const Eigen::Vector3d& place, const Eigen::Vector3d& roll_pitch_yaw) {
+  Transform T(Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
+              Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
+              Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX()));
+  T.translation() = place;
   return T;
+}
+
+Transform readFrame(const Yaml& yaml) {
+  auto n = yaml.numbers(3, 6);
+  if (n.size() != 3 && n.size() != 6) yaml.fail("must be [x, y, z] or [x, y, z, roll, pitch, yaw]");
+  n.resize(6, 0.0);
+  return frameOf({n[0], n[1], n[2]}, {radians(n[3]), radians(n[4]), radians(n[5])});
 }
 
 Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,

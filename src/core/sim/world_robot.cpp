@@ -2,10 +2,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "field_fusion/core/sim/camera_params.h"
-#include "field_fusion/core/sim/gnss.h"
-#include "field_fusion/core/sim/imu.h"
-#include "field_fusion/core/sim/odometry.h"
 #include "field_fusion/core/sim/sensor_models.h"
 #include "world_parts.h"
 
@@ -23,32 +19,38 @@ std::vector<std::string> modelsIn(const std::string& folder) {
   return out;
 }
 
-/// Throws what its reader throws.
-void checkSensor(const std::string& folder, const Mount& mount, const std::string& kind) {
-  const std::string& model = mount.model;
-  const Overrides& overrides = mount.overrides;
-  if (kind == "imu")
-    readSensor<ImuParams>(folder, model, overrides);
-  else if (kind == "gnss")
-    readSensor<GnssParams>(folder, model, overrides);
-  else if (kind == "wheel_odometry")
-    readSensor<WheelOdometryParams>(folder, model, overrides);
-  else if (kind == "leg_odometry")
-    readSensor<LegOdometryParams>(folder, model, overrides);
-  else if (kind == "camera")
-    readSensor<CameraParams>(folder, model, overrides);
-  else
-    sensorParams(folder, model, overrides);
+// What careful hands leave, at most: of each angle, along each axis, and between clocks of one computer.
+constexpr double kMountAngle = 0.2;    // [deg]
+constexpr double kMountPlace = 0.005;  // [m]
+constexpr double kClockError = 0.002;  // [s]
+
+/// T_nominal_sensor, about and along the sensor's own axes.
+Transform drawMountError(const Yaml& yaml, const std::string& name, const Draws& draws) {
+  double angle = kMountAngle, place = kMountPlace;
+  if (yaml.has("mount_error")) {
+    const Yaml error = yaml["mount_error"];
+    error.onlyKeys({"angle_deg", "place"});
+    if (error.has("angle_deg")) angle = error["angle_deg"].number(0, 45);
+    if (error.has("place")) place = error["place"].number(0, 1);
+  }
+  Eigen::Vector3d shift, turn;
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    shift[static_cast<Eigen::Index>(i)] = draws.within(place, "place of " + name, i);
+    turn[static_cast<Eigen::Index>(i)] = draws.within(radians(angle), "angle of " + name, i);
+  }
+  return frameOf(shift, turn);
 }
 
-Mount readMount(const Yaml& yaml, const std::string& sensors) {
-  static const std::vector<std::string> own{"name", "model", "pose", "clock_error"};
+Mount readMount(const Yaml& yaml, const std::string& sensors, const Draws& draws) {
+  static const std::vector<std::string> own{"name", "model", "pose", "mount_error", "clock_error"};
   Mount mount;
   const auto keys = yaml.keys();
   mount.name = yaml["name"].text();
   mount.model = yaml["model"].text();
-  mount.T_base_sensor = yaml.has("pose") ? readFrame(yaml["pose"]) : Transform::Identity();
-  if (yaml.has("clock_error")) mount.clock_error = yaml["clock_error"].number(0, 1);
+  if (yaml.has("pose")) mount.T_base_nominal = readFrame(yaml["pose"]);
+  mount.T_base_sensor = mount.T_base_nominal * drawMountError(yaml, mount.name, draws);
+  const double clock = yaml.has("clock_error") ? yaml["clock_error"].number(0, 1) : kClockError;
+  mount.clock_error = draws.within(clock, "clock of " + mount.name);
   const auto models = modelsIn(sensors);
   if (std::find(models.begin(), models.end(), mount.model) == models.end())
     yaml["model"].fail("no sensor " + mount.model + " in " + sensors + nearestName(mount.model, models));
@@ -64,7 +66,7 @@ Mount readMount(const Yaml& yaml, const std::string& sensors) {
     mount.overrides[key] = yaml[key].dump();
   }
   try {
-    checkSensor(sensors, mount, usual["kind"].text());
+    sensorParams(sensors, mount.model, mount.overrides);
   } catch (const std::runtime_error& fault) {
     yaml.fail(fault.what());
   }
@@ -73,7 +75,7 @@ Mount readMount(const Yaml& yaml, const std::string& sensors) {
 
 }  // namespace
 
-Robot readRobot(const Yaml& yaml, const Ground& ground, const std::string& sensors) {
+Robot readRobot(const Yaml& yaml, const Ground& ground, const std::string& sensors, const Draws& draws) {
   Robot robot;
   auto keys = kWayKeys;
   keys.insert(keys.end(), {"name", "mounts", "body"});
@@ -86,7 +88,7 @@ Robot readRobot(const Yaml& yaml, const Ground& ground, const std::string& senso
   robot.way = readWay(yaml, ground, robot.model);
   if (!yaml.has("mounts")) return robot;
   for (const Yaml& item : yaml["mounts"].list()) {
-    Mount mount = readMount(item, sensors);
+    Mount mount = readMount(item, sensors, draws);
     for (const Mount& other : robot.mounts)
       if (other.name == mount.name) item.fail("two sensors are named " + mount.name);
     robot.mounts.push_back(std::move(mount));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "support/sim_worlds.h"
@@ -12,15 +13,37 @@ namespace {
 
 const std::string kFolder = PROJECT_DIR "/config/sensors";
 
-TEST(SensorModels, AllMakeASensorOfTheirKindAndRate) {
-  const std::map<std::string, std::pair<SensorKind, double>> models = {
-      {"lms141", {SensorKind::kScanner2d, 50.0}}, {"rplidar_a3", {SensorKind::kScanner2d, 10.0}},
-      {"vlp16", {SensorKind::kLidar3d, 10.0}},    {"helios16", {SensorKind::kLidar3d, 10.0}},
-      {"hdl64", {SensorKind::kLidar3d, 10.0}},    {"d435", {SensorKind::kDepthCamera, 30.0}}};
+TEST(SensorModels, AreOfTheirKindAndRate) {
+  const std::map<std::string, std::pair<std::string, double>> models = {
+      {"lms141", {"scanner2d", 50.0}},       {"rplidar_a3", {"scanner2d", 10.0}},
+      {"vlp16", {"lidar3d", 10.0}},          {"helios16", {"lidar3d", 10.0}},
+      {"hdl64", {"lidar3d", 10.0}},          {"d435", {"depth_camera", 30.0}},
+      {"xfk_4k415", {"camera", 30.0}},       {"wide_105", {"camera", 30.0}},
+      {"camera_640", {"camera", 30.0}},      {"camera_1080p", {"camera", 30.0}},
+      {"bmi055", {"imu", 200.0}},            {"icm20948", {"imu", 200.0}},
+      {"gnss", {"gnss", 5.0}},               {"wheel_odometry", {"wheel_odometry", 50.0}},
+      {"leg_odometry", {"leg_odometry", 500.0}}};
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+    files.insert(entry.path().stem().string());
+  EXPECT_EQ(files.size(), models.size());
   for (const auto& [name, expected] : models) {
-    const Sensor sensor = makeSensor(kFolder, name, {}, 1);
-    EXPECT_EQ(kindOf(sensor), expected.first) << name;
-    EXPECT_EQ(rateOf(sensor), expected.second) << name;
+    EXPECT_TRUE(files.count(name)) << name;
+    EXPECT_EQ(sensorKind(kFolder, name).name, expected.first) << name;
+    EXPECT_EQ(std::visit([](const auto& p) { return p.rate; }, sensorParams(kFolder, name)), expected.second);
+  }
+}
+
+/// The table and the variant name the same kinds in the same order.
+TEST(SensorModels, TheTableHasAnEntryForEachKindOfParameters) {
+  ASSERT_EQ(sensorKinds().size(), std::variant_size_v<SensorParams>);
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < sensorKinds().size(); ++i) {
+    const SensorKind& kind = sensorKinds()[i];
+    EXPECT_TRUE(seen.insert(kind.name).second) << kind.name;
+    for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+      if (std::string(kind.name) == sensorKind(kFolder, entry.path().stem()).name)
+        EXPECT_EQ(kind.read(entry.path(), {}).index(), i) << entry.path();
   }
 }
 

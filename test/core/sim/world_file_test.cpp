@@ -130,6 +130,33 @@ bodies:
   EXPECT_EQ(world.bodies[1].way.pose(0).translation().z(), 0.0);
 }
 
+/// Largest tilt of a robot that stands, or goes at a steady `speed`, in two seconds.
+double tilt(const World& world, double begin) {
+  double most = 0.0;
+  for (double t = begin; t < begin + 2; t += 0.01)
+    most = std::max(most, degrees(std::acos(std::min(1.0, world.robot.way.pose(t).linear()(2, 2)))));
+  return most;
+}
+
+TEST_F(WorldFile, StepsAndRoadsShakeWhatMovesAndWavesWhatStandsToo) {
+  const auto standing = [this](const std::string& shake) {
+    return tilt(load("robot: {pose: [0, 0], motion: {shake: " + shake + "}}\n"), 0.0);
+  };
+  const auto going = [this](const std::string& shake, const std::string& speed) {
+    return tilt(load("robot: {motion: {points: [[0, 0], [99, 0]], acceleration: 5, speed: " + speed +
+                     ", shake: " + shake + "}}\n"),
+                5.0);
+  };
+  EXPECT_EQ(standing("gait"), 0.0);
+  EXPECT_EQ(standing("road"), 0.0);
+  EXPECT_GT(standing("waves"), 2.0);
+  EXPECT_GT(going("gait", "0.5"), 1.5);
+  EXPECT_NEAR(going("gait", "0.5"), going("gait", "2"), 1e-6);
+  EXPECT_NEAR(going("road", "1.5"), going("road", "3") / 2, 1e-3);  // half of its full speed
+  EXPECT_NEAR(going("{preset: gait, scale: 2}", "1"), 2 * going("gait", "1"), 1e-3);
+  EXPECT_EQ(tilt(load("robot: {pose: [0, 0], motion: {shake: {preset: waves, full_speed: 1}}}\n"), 0.0), 0.0);
+}
+
 struct Fault {
   const char* text;
   const char* says;
@@ -190,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{
             "bodies:\n - {name: wall, shape: box, pose: [1, 0]}\nrobot: {pose: [0, 0],\n  mounts: [{name: a, "
             "model: imu_a, pose: [0.7, 0, 0.5]}]}\n",
-            "3: robot: the sensor a is inside the body wall at the start"},
+            "4: robot.mounts[0]: the sensor a is inside the body wall at the start"},
         Fault{"bodies:\n - {name: wall, shape: sphere, pose: [0, 0, -0.3, 0]}\nrobot: {pose: [0, 0]}\n",
               "3: robot: the robot is inside the body wall at the start"},
         Fault{
@@ -198,6 +225,11 @@ INSTANTIATE_TEST_SUITE_P(
             "2: robot.motion.points: leaves the ground, which ends 20 m from the origin"},
         Fault{"robot: {pose: [0, 0], motion: {points: [[1, 1]]}}\n",
               "1: robot.motion.points: has the place in pose too"},
+        Fault{"size_spread: 0.9\n", "1: size_spread: 0.9 is outside [0, 0.5]"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, mount_error: {angle: 1}}]}\n",
+              "1: robot.mounts[0].mount_error.angle: unknown key"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, clock_error: -1}]}\n",
+              "1: robot.mounts[0].clock_error: -1 is outside [0, 1]"},
         Fault{"robot: {pose: [0, 0], motion: {shake: sea}}\n",
               "1: robot.motion.shake: 'sea' is none of gait, waves, road"},
         Fault{"dimensions: [{name: d, from: [0, 0, 0], to: [0, 0, 0]}]\n",

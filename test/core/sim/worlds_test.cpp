@@ -3,12 +3,15 @@
 
 #include <map>
 
+#include "field_fusion/core/sim/sensor_models.h"
 #include "field_fusion/core/sim/truth.h"
 
 namespace field_fusion::core::sim {
 namespace {
 
-World shipped(const std::string& name) { return loadWorld(PROJECT_DIR "/config/worlds/" + name + ".yaml"); }
+World shipped(const std::string& name, std::optional<std::uint64_t> seed = {}) {
+  return loadWorld(PROJECT_DIR "/config/worlds/" + name + ".yaml", "", seed);
+}
 
 /// Whether two boxes, that turn about z alone as far as it matters, come within `gap` of each other.
 bool near(const TruthBox& a, const TruthBox& b, double gap) {
@@ -26,7 +29,15 @@ bool near(const TruthBox& a, const TruthBox& b, double gap) {
   return true;
 }
 
-class Worlds : public testing::TestWithParam<const char*> {};
+class Worlds : public testing::TestWithParam<const char*> {
+ protected:
+  /// As the file says, and with sizes of some runs.
+  static std::vector<World> drawn() {
+    std::vector<World> worlds{shipped(GetParam())};
+    for (const std::uint64_t seed : {1, 2, 3}) worlds.push_back(shipped(GetParam(), seed));
+    return worlds;
+  }
+};
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Worlds,
                          testing::Values("usv_cages", "usv_harbour", "quad_corridor", "quad_obstacles",
@@ -34,30 +45,65 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Worlds,
                          [](const auto& info) { return std::string(info.param); });
 
 TEST_P(Worlds, NothingIsInTheRobotsWay) {
-  World world = shipped(GetParam());
-  EXPECT_EQ(world.name, GetParam());
-  ASSERT_FALSE(world.robot.mounts.empty());
-  World robot;
-  robot.bodies.push_back({"robot", "", world.robot.model, world.robot.way, {}});
-  const double end = std::max(world.robot.way.duration(), 120.0);
-  for (double t = 0; t < end; t += 0.2) {
-    const TruthBox own = truthAt(robot, t)[0];
-    for (const TruthBox& box : truthAt(world, t))
-      ASSERT_FALSE(near(own, box, 0.1))
-          << box.name << " at " << t << " s, robot at " << own.T_world_body.translation().transpose();
+  for (const World& world : drawn()) {
+    EXPECT_EQ(world.name, GetParam());
+    ASSERT_FALSE(world.robot.mounts.empty());
+    World robot;
+    robot.bodies.push_back({"robot", "", world.robot.model, world.robot.way, {}});
+    const double end = std::max(world.robot.way.duration(), 120.0);
+    for (double t = 0; t < end; t += 0.2) {
+      const TruthBox own = truthAt(robot, t)[0];
+      for (const TruthBox& box : truthAt(world, t))
+        ASSERT_FALSE(near(own, box, 0.1))
+            << box.name << " at " << t << " s, robot at " << own.T_world_body.translation().transpose();
+    }
   }
 }
 
 TEST_P(Worlds, BodiesDoNotStandInEachOther) {
-  const World world = shipped(GetParam());
-  for (double t = 0; t < 60; t += 1.0) {
-    const auto boxes = truthAt(world, t);
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (!boxes[i].label.empty() && !boxes[j].label.empty()) {
-          ASSERT_FALSE(near(boxes[i], boxes[j], 0.0))
-              << boxes[i].name << ", " << boxes[j].name << " at " << t;
-        }
+  for (const World& world : drawn())
+    for (double t = 0; t < 60; t += 1.0) {
+      const auto boxes = truthAt(world, t);
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (!boxes[i].label.empty() && !boxes[j].label.empty()) {
+            ASSERT_FALSE(near(boxes[i], boxes[j], 0.0))
+                << boxes[i].name << ", " << boxes[j].name << " at " << t;
+          }
+    }
+}
+
+/// Sizes of the vessel's worlds are drawn; lengths by which a quadruped's maps are measured are not.
+TEST_P(Worlds, HaveTheSizesThatTheirPapersFix) {
+  const World nominal = shipped(GetParam()), other = shipped(GetParam(), 1);
+  const bool spread = std::string(GetParam()).rfind("usv", 0) == 0;
+  for (std::size_t i = 0; i < nominal.bodies.size(); ++i) {
+    const double ratio = other.bodies[i].size.norm() / nominal.bodies[i].size.norm();
+    if (!spread || nominal.bodies[i].label.empty())
+      EXPECT_NEAR(ratio, 1.0, 1e-6) << nominal.bodies[i].name;
+    else
+      EXPECT_TRUE(ratio != 1.0 && std::abs(ratio - 1.0) < 0.1) << nominal.bodies[i].name << " " << ratio;
+  }
+}
+
+/// Paper 001, section VII-A; the scanner triggers the camera.
+TEST(UsvWorlds, CarryTheSensorsOfThePaper) {
+  for (const char* name : {"usv_cages", "usv_harbour"}) {
+    std::map<std::string, std::string> models;
+    std::map<std::string, double> rates;
+    for (const Mount& mount : shipped(name).robot.mounts) {
+      models[mount.name] = mount.model;
+      rates[mount.name] =
+          std::visit([](const auto& p) { return p.rate; },
+                     sensorParams(PROJECT_DIR "/config/sensors", mount.model, mount.overrides));
+    }
+    EXPECT_EQ(models["lidar"], "helios16");
+    EXPECT_EQ(models["camera"], "xfk_4k415");
+    EXPECT_EQ(rates["lidar"], 10.0);
+    EXPECT_EQ(rates["camera"], rates["lidar"]);
+    if (std::string(name) == "usv_cages") continue;  // it stands on land
+    EXPECT_EQ(rates["imu"], 200.0);
+    EXPECT_EQ(models["gnss"], "gnss");
   }
 }
 

@@ -27,6 +27,7 @@ struct ClusterParams {
   double see_through = 3.5;
   int max_points = 10000000;
   bool oriented_boxes = true;
+  bool faint = false;
 
   void declare(Params& p) {
     p.choice("method", method, {"adaptive", "dbscan", "dbscan_beta", "range_image", "euclidean"}, When::kLive,
@@ -50,6 +51,9 @@ struct ClusterParams {
     p.number("max_points", max_points, {1, 10000000}, "points", When::kLive,
              "Larger clusters are left out and counted.");
     p.flag("oriented_boxes", oriented_boxes, When::kLive, "Also fit a box turned about z to each cluster.");
+    p.flag("faint", faint, When::kLive,
+           "Also tell, marked as such, of points that are too few for a cluster: match keeps those that a "
+           "camera supports.");
   }
 };
 
@@ -61,16 +65,19 @@ struct Cluster {
   Polar polar;                                       ///< of the centre; paper 001 Eqs. 10 and 11
   float nearest_range = 0;                           ///< [m] to the nearest point
   OrientedBox oriented_box;                          ///< NaN without ClusterParams::oriented_boxes
+  bool faint = false;                                ///< too few points to be a body by itself
 };
 
 /// Box, centre and their polar coordinates of at least one point; the oriented box only with a fitter.
 void describe(Cluster& cluster, const Point* points, std::size_t count, OrientedBoxFitter* fitter);
 
 struct Clusters {
-  std::vector<Cluster> clusters;  ///< by nearest range; of equals the one that comes first in the cloud
+  /// By nearest range, of equals the one that comes first in the cloud; the faint ones after all others.
+  std::vector<Cluster> clusters;
   std::vector<Point> points;      ///< grouped by cluster, in the order of the cloud
   std::vector<int> labels;        ///< of each point of the cloud: its place in `clusters`, or kNoise
-  std::size_t noise = 0;          ///< points that belong to no cluster
+  std::size_t noise = 0;          ///< points that belong to no cluster but faint ones
+  std::size_t faint = 0;          ///< clusters that are faint
   std::size_t unusable = 0;       ///< points that are not finite or too far away to be placed
   double row_gap = kNaN;          ///< [rad] between rows, for the method adaptive; 0: not known
   std::size_t too_large = 0;      ///< clusters left out for max_points; their points are labelled kNoise
@@ -102,9 +109,12 @@ class Clusterer {
   Sets separate(const Cloud& cloud);
   Sets separateAdaptively(const Cloud& cloud);
   double fewest(float nearest2) const;
-  void measure(const Cloud& cloud, const Sets& sets);
-  void order();
-  void fill(const Cloud& cloud, const std::vector<int>& sets);
+  std::size_t measure(const Cloud& cloud, const Sets& sets);
+  void choose();
+  void sortByRange();
+  void label(const Cloud& cloud, const std::vector<int>& sets);
+  void append(const Cloud& cloud, const std::vector<int>& sets, bool faint);
+  void addFaint(const Cloud& cloud, const std::vector<int>& sets);
   void describeAll();
 
   ClusterParams params_;
@@ -115,9 +125,10 @@ class Clusterer {
   SeenThrough seen_through_;
   OrientedBoxFitter box_fitter_;
   std::vector<Extent> extents_;  // of each set
-  std::vector<int> kept_;        // sets that are neither too small nor too large, in the order of the result
+  std::vector<int> kept_;        // sets that become clusters, in the order of the result
   std::vector<int> place_;       // of each set in the result, or kNoise
   Cloud closed_;                 // the cloud with its rows closed up
+  Cloud rest_;                   // what belongs to no cluster
   Clusters result_;
 };
 

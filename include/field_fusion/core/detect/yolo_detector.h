@@ -15,6 +15,7 @@ namespace field_fusion::core {
 struct DetectParams {
   std::string model;
   std::string class_file;
+  std::string camera_info_url;
   InferenceParams inference;
   YoloParams yolo;
   RangeParams range;
@@ -23,6 +24,9 @@ struct DetectParams {
     p.text("model", model, When::kStart, "ONNX file of a YOLOv8 detection model.");
     p.text("class_file", class_file, When::kStart,
            "Names of the classes: one a line, or a YAML file with 'names'. Empty: those in the model file.");
+    p.text("camera_info_url", camera_info_url, When::kStart,
+           "Calibration of a camera whose driver sends none: file:///PATH or package://PACKAGE/PATH of a file "
+           "as camera_calibration writes it. Empty: the topic camera_info.");
     inference.declare(p);
     yolo.declare(p);
     range.declare(p);

@@ -45,17 +45,21 @@ class Matcher {
   explicit Matcher(const MatchParams& params = {}) { setParams(params); }
   void setParams(const MatchParams& params);
 
-  /// First one obstacle for each cluster, or for each part of one that was split, then those that cameras
-  /// alone saw, in their order. `points` are those of all clusters; `views` holds each camera, empty where it
+  /// First one obstacle for each cluster, or for each part of one that was split, then one for each faint
+  /// cluster that a camera claims, then those that cameras alone saw, in their order. `points` are those of all clusters; `views` holds each camera, empty where it
   /// has not answered. Where none has, all are kNoPartnerMessage.
   ///
   /// Each camera is matched on its own. Of several that see a body, the one with the least distance names it;
   /// of several that alone see what may be one body by the gate, the one that knows its place best.
+  ///
+  /// A detection that found no cluster claims a faint one in its box, in range where the detection has one: so
+  /// only optimal, and not by direction alone, for whatever stands behind the box is as near in direction.
   const std::vector<Obstacle>& run(const std::vector<Cluster>& clusters, const std::vector<Point>& points,
                                    const std::vector<std::optional<CameraView>>& views);
 
  private:
   const Verdicts& judge(const CameraView& view);
+  void claimFaint(const std::vector<Cluster>& clusters, const CameraView& view, Verdicts& verdicts);
   void addBodies(const std::vector<std::optional<CameraView>>& views);
   void addCameraOnly(int camera, const CameraView& view, const std::vector<Verdict>& verdicts);
 
@@ -63,7 +67,10 @@ class Matcher {
   Splitter splitter_;
   OptimalMatcher optimal_;
   ToleranceMatcher tolerance_;
-  std::vector<LidarTarget> bodies_;
+  double margin_ = 0.0;  // [rad] by which a box may be off
+  std::vector<LidarTarget> bodies_, faint_;
+  CameraView unmatched_;
+  std::vector<int> unmatched_place_;  // of each in its camera's view
   std::vector<Polar> lidar_, camera_;
   std::vector<Verdicts> verdicts_;  // of each camera
   std::vector<Obstacle> obstacles_, seen_;

@@ -17,6 +17,7 @@ struct ObstacleParams {
   double bearing_sigma = 0.5;
   double lidar_existence = 0.7;
   double camera_existence = 0.9;
+  double faint_existence = 0.2;
 
   void declare(Params& p) {
     p.number("lidar_range_sigma", lidar_range_sigma, {0.001, 10.0}, "m", When::kLive,
@@ -25,6 +26,8 @@ struct ObstacleParams {
              "Standard deviation of the direction of a detection, calibration included.");
     p.number("lidar_existence", lidar_existence, {0.0, 1.0}, "", When::kLive,
              "Probability that a cluster is a body.");
+    p.number("faint_existence", faint_existence, {0.0, 1.0}, "", When::kLive,
+             "Probability that a faint cluster is a body, before a camera has its say.");
     p.number("camera_existence", camera_existence, {0.0, 1.0}, "", When::kLive,
              "Probability that a detection of score 1 is a body; in proportion for lower scores.");
   }

@@ -12,7 +12,7 @@ namespace field_fusion::core::sim {
 struct GnssParams {
   double rate = 5.0;
   double noise = 0.3;
-  double wander = 1.5;
+  double wander = 2.1;
   double wander_time = 60.0;
   double vertical_factor = 1.8;
 

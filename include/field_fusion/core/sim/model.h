@@ -31,6 +31,9 @@ struct Cylinder {
   float radius;          ///< [m]
 };
 
+/// T_link_cylinder of a cylinder about z in the middle of its own frame, as URDF and RViz have them.
+Transform frameOf(const Cylinder& cylinder);
+
 /// How a surface answers to light. Textures are solid: they depend on the place in the body's frame.
 struct Material {
   enum class Texture {
@@ -57,12 +60,15 @@ struct Material {
   float transparency = 0.f;  ///< 0..1, share of rays that pass: nets, glass
 };
 
+/// Red, green, blue and alpha, 0..1, as screens take them, by a power law; of a texture the mean.
+Eigen::Vector4f shownColour(const Material& material);
+
 using Shape = std::variant<Mesh, Sphere, Cylinder>;
 
 struct Part {
   Shape shape;
   Material material;
-  std::string role;  ///< what it is in its body, such as "hull": a world can paint it by that name
+  std::string role{};  ///< what it is in its body, such as "hull": a world can paint it by that name
 };
 
 /// Swings about an axis: angle(t) = bias + amplitude sin(2 pi t / period + phase).

@@ -17,7 +17,12 @@ struct Shake {
     Eigen::Matrix<double, 6, 1> phase = Eigen::Matrix<double, 6, 1>::Zero();  ///< [rad]
   };
   std::vector<Term> terms;
-  Transform at(double time) const;  ///< T_way_body
+  /// [m/s] on the way: from here on it shakes in full, slower it shakes less and at rest not at all, as steps
+  /// and a road do. Turns on the spot count too. 0: always in full, as on waves.
+  double full_speed = 0.0;
+
+  /// T_way_body; `share` 0..1 of the amplitudes.
+  Transform at(double time, double share = 1.0) const;
 };
 
 /// A smooth way through way-points, run with limited speed and acceleration, or standing still at one.

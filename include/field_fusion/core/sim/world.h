@@ -2,6 +2,7 @@
 // A world: bodies, ground, light, and the robot with its sensors. World frame: x east, y north, z up.
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,11 +57,12 @@ struct Light {
 
 /// A sensor on the robot. Its kind's parameters are in config/sensors/MODEL.yaml, changed by `overrides`.
 struct Mount {
-  std::string name;                                 ///< unique on the robot; names topics and frame
-  std::string model;                                ///< such as rplidar_a3
-  Transform T_base_sensor = Transform::Identity();  ///< sensor's frame, x forward; cameras too
-  double clock_error = 0.0;                      ///< [s] its clock is off by at most so much, drawn per seed
-  std::map<std::string, std::string> overrides;  ///< parameter -> YAML text
+  std::string name;                                  ///< unique on the robot; names topics and frame
+  std::string model;                                 ///< such as rplidar_a3
+  Transform T_base_nominal = Transform::Identity();  ///< as TF and URDF tell it, x forward; cameras too
+  Transform T_base_sensor = Transform::Identity();   ///< as it truly is
+  double clock_error = 0.0;                          ///< [s] by which its clock is ahead
+  std::map<std::string, std::string> overrides;      ///< parameter -> YAML text
 };
 
 struct Robot {
@@ -88,7 +90,10 @@ struct World {
 };
 
 /// The format: docs/worlds.md. Sensor models are the files of `sensors`, by default the folder of that name
-/// beside the world's own folder. Throws std::runtime_error naming file, line and key of the first fault.
-World loadWorld(const std::string& file, const std::string& sensors = "");
+/// beside the world's own folder. What a user of the robot does not know (mounts, clocks, sizes of bodies) is
+/// drawn from `seed`; without one it is as the file says. Throws std::runtime_error naming file, line and key
+/// of the first fault.
+World loadWorld(const std::string& file, const std::string& sensors = "",
+                std::optional<std::uint64_t> seed = {});
 
 }  // namespace field_fusion::core::sim

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Trains a YOLOv8 detector.
+
+  models/train_detector.py DATA OUT [--epochs N | --minutes N] [--width 0.25] [--size 640 | 640x480] ...
+
+DATA holds images/{train,val}/*.jpg, labels/{train,val}/*.txt with a line "class x y width height" for each body
+(relative to the image; an empty file where there is none), and data.yaml with the `names`. OUT gets last.pt
+(everything, for --resume), best.pt (the best validation) and epochs.csv. After an interruption, the same
+command with --resume goes on where the last checkpoint was. Uses a GPU where torch finds one.
+"""
+import argparse
+import dataclasses
+import os
+import pathlib
+import signal
+import sys
+
+os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # before torch: threads that spin are slower on a busy machine
+
+import torch  # noqa: E402
+
+from yolov8.arguments import input_size  # noqa: E402
+from yolov8.checkpoint import CheckpointError, load  # noqa: E402
+from yolov8.dataset import DataError, Dataset  # noqa: E402
+from yolov8.report import Report  # noqa: E402
+from yolov8.train import Settings, Training  # noqa: E402
+
+
+def arguments():
+    default = {field.name: field.default for field in dataclasses.fields(Settings)}
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data")
+    parser.add_argument("out")
+    end = parser.add_mutually_exclusive_group()
+    end.add_argument("--epochs", type=int, help="default: 100")
+    end.add_argument("--minutes", type=float, help="of training; as many epochs as fit")
+    parser.add_argument("--resume", action="store_true", help="go on from OUT/last.pt, with its settings")
+    parser.add_argument("--size", type=input_size, default=default["size"], help="of the network's input [px]; 640")
+    parser.add_argument("--optimizer", choices=("adamw", "sgd"), default=default["optimizer"])
+    parser.add_argument("--rate", type=float, help="highest learning rate; default: 0.002 for adamw, 0.01 for sgd")
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of the CPU; all of them")
+    parser.add_argument("--bf16", action="store_true", help="16-bit arithmetic: faster on GPUs, slower on most CPUs")
+    for name, help_text in (("width", "share of the channels: 0.25 is YOLOv8n"), ("depth", "share of the blocks: 1/3 is YOLOv8n"),
+                            ("batch", "images a step"), ("seed", "of weights and samples"),
+                            ("mosaic", "share of samples made of four images"),
+                            ("plain", "last share of the training, without mosaics"),
+                            ("small", "first share of the training, on images of half the size"),
+                            ("validate", "epochs from one validation to the next"), ("workers", "threads that make batches")):
+        parser.add_argument(f"--{name}", type=type(default[name]), default=default[name],
+                            help=f"{help_text}; {default[name]:g}")
+    return parser.parse_args()
+
+
+def settings_of(args):
+    chosen = {field.name: getattr(args, field.name) for field in dataclasses.fields(Settings)}
+    if args.epochs is None and args.minutes is None:
+        chosen["epochs"] = 100
+    return Settings(**chosen)
+
+
+def started(args):
+    last, facts = pathlib.Path(args.out) / "last.pt", None
+    if args.resume:
+        facts, tensors = load(last, "state")
+        settings = Settings(**facts["settings"])
+        settings.size = tuple(settings.size)
+    elif last.exists():
+        raise CheckpointError(f"{last} exists: --resume goes on with it, another OUT begins anew")
+    else:
+        settings = settings_of(args)
+    data, validation = (Dataset(args.data, split, settings.size) for split in ("train", "val"))
+    if facts and facts["names"] != data.names:
+        raise CheckpointError(f"{last}: its classes are {facts['names']}, those of {args.data} {data.names}")
+    training = Training(settings, data, validation, args.out, Report())
+    if facts:
+        training.restore(facts, tensors)
+    print(f"{len(data)} images to train, {len(validation)} to validate, {len(data.names)} classes, on {training.device} with "
+          f"{torch.get_num_threads()} threads, torch {torch.__version__}", flush=True)
+    return training
+
+
+def stop_by_signal(training):
+    def on_signal(*_):
+        training.stop = True
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, on_signal)
+
+
+def main():
+    args = arguments()
+    torch.set_num_threads(args.threads)
+    try:
+        training = started(args)
+    except (DataError, CheckpointError, ValueError) as fault:
+        sys.exit(f"train_detector: {fault}")
+    stop_by_signal(training)
+    try:
+        training.run()
+    except KeyboardInterrupt:
+        sys.exit(f"\ntrain_detector: interrupted; --resume goes on from {training.out / 'last.pt'}")
+    except FloatingPointError as fault:
+        sys.exit(f"train_detector: {fault}")
+    print(f"done: {training.out / 'best.pt'}, mAP50-95 {training.best:.3f}")
+
+
+if __name__ == "__main__":
+    main()

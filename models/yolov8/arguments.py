@@ -1,0 +1,14 @@
+"""What the command lines share."""
+import argparse
+
+
+def input_size(text):
+    """(width, height) from "640" or "640x480"."""
+    try:
+        sides = [int(side) for side in text.split("x")]
+    except ValueError:
+        sides = []
+    size = tuple(sides * 2 if len(sides) == 1 else sides)
+    if len(size) != 2 or any(side <= 0 or side % 32 for side in size):
+        raise argparse.ArgumentTypeError(f"'{text}' is not one or two multiples of 32, as 640 or 640x480")
+    return size

@@ -1,0 +1,150 @@
+"""The training as a program: it learns, and an interruption changes nothing."""
+import csv
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import torch
+
+from conftest import ROOT
+from yolov8 import train
+from yolov8.augment import Augmentation
+from yolov8.checkpoint import CheckpointError, load, network_of, save
+from yolov8.dataset import Dataset
+from yolov8.evaluate import runner, score
+
+SIZE = (96, 64)
+
+
+class Silent:
+    def __init__(self, stop_at=None):
+        self.stop_at, self.steps = stop_at, 0
+
+    def step(self, training):
+        self.steps += 1
+        training.stop = self.steps == self.stop_at
+
+    def epoch(self, training):
+        pass
+
+
+def training_of(folder, out, report=None, **settings):
+    chosen = train.Settings(**{"epochs": 2, "width": 0.125, "size": SIZE, "batch": 4, "validate": 1, **settings})
+    out.mkdir(exist_ok=True)
+    return train.Training(chosen, *(Dataset(folder, s, SIZE) for s in ("train", "val")), out, report or Silent(), "cpu")
+
+
+@pytest.fixture(scope="module", params=["adamw", "sgd"])
+def uninterrupted(request, shapes_folder, tmp_path_factory):
+    training = training_of(shapes_folder, tmp_path_factory.mktemp(request.param), optimizer=request.param)
+    training.run()
+    return training
+
+
+@pytest.mark.parametrize("stop_at", [3, 4, 6])  # of 4 steps an epoch: within the first, at its end, within the second
+def test_interrupted_training_ends_as_one_without_interruption(uninterrupted, shapes_folder, tmp_path, stop_at):
+    optimizer = uninterrupted.settings.optimizer
+    with pytest.raises(KeyboardInterrupt):
+        training_of(shapes_folder, tmp_path, Silent(stop_at), optimizer=optimizer).run()
+    resumed = training_of(shapes_folder, tmp_path, optimizer=optimizer)
+    resumed.restore(*load(tmp_path / "last.pt", "state"))
+    assert resumed.epoch * 4 + resumed.step == stop_at
+    resumed.run()
+    for kind in ("network", "weights"):
+        first, second = (load(folder / "last.pt")[1][kind] for folder in (uninterrupted.out, tmp_path))
+        assert all(torch.equal(second[name], value) for name, value in first.items())
+    assert [{**row, "seconds": 0} for row in resumed.history] == [{**row, "seconds": 0} for row in uninterrupted.history]
+
+
+def test_training_learns(shapes_folder, tmp_path):
+    """Eight pictures of three kinds of shapes, learnt by heart."""
+    data = Dataset(shapes_folder, "val", SIZE)
+    settings = train.Settings(epochs=60, width=0.125, size=SIZE, batch=4, validate=60, rate=0.005)
+    training = train.Training(settings, data, data, tmp_path, Silent(), "cpu")
+    training.augmentation_at = lambda step: Augmentation(0, 0, 0, 0, 0, 0, 0)
+    before = score(runner(training.average.network), data).summary()[0]
+    training.run()
+    after = score(runner(network_of(*load(tmp_path / "last.pt"))), data).summary()[0]
+    assert before < 0.05 and after > 0.8
+
+
+def test_plan_of_minutes_ends_in_time(shapes_folder, tmp_path):
+    training = training_of(shapes_folder, tmp_path, epochs=None, minutes=0.05)
+    training.run()
+    assert training.progress() == 1 and training.history[-1]["map50"] is not None
+    assert training.history[-1]["seconds"] >= 3
+
+
+def test_same_seed_same_weights(shapes_folder, tmp_path):
+    weights = []
+    for name in ("a", "b"):
+        training_of(shapes_folder, tmp_path / name, epochs=1, workers=1 + len(weights)).run()
+        weights.append(load(tmp_path / name / "last.pt")[1]["weights"])
+    assert all(torch.equal(weights[0][name], weights[1][name]) for name in weights[0])
+
+
+def run(*arguments, **more):
+    return subprocess.run([sys.executable, ROOT / "models/train_detector.py", *map(str, arguments)], text=True,
+                          capture_output=True, **more)
+
+
+def test_program_stops_at_a_signal_and_resumes(shapes_folder, tmp_path):
+    command = [sys.executable, ROOT / "models/train_detector.py", shapes_folder, tmp_path, "--epochs", "8", "--size", "96x64",
+               "--width", "0.125", "--batch", "4"]
+    process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while not (tmp_path / "last.pt").exists() and process.poll() is None:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGTERM)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 1 and "--resume" in said, said
+    assert 1 <= len(load(tmp_path / "last.pt")[0]["history"]) < 8
+    done = run(shapes_folder, tmp_path, "--resume")
+    assert done.returncode == 0, done.stderr
+    rows = list(csv.DictReader((tmp_path / "epochs.csv").open()))
+    assert [int(row["epoch"]) for row in rows] == list(range(1, 9)) and rows[-1]["map50_95"]
+    assert load(tmp_path / "best.pt")[0]["names"] == ["box", "disc", "triangle"]
+
+
+def test_program_does_not_overwrite_a_training(shapes_folder, tmp_path):
+    (tmp_path / "last.pt").write_bytes(b"")
+    done = run(shapes_folder, tmp_path)
+    assert done.returncode == 1 and "exists" in done.stderr and "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (("--size", "100"), "multiples of 32"), (("--size", "64x"), "multiples of 32"), (("--resume",), "no checkpoint"),
+    (("--epochs", "0"), "above 0"), (("--epochs", "1", "--minutes", "1"), "not allowed"),
+])
+def test_program_refuses_bad_arguments(shapes_folder, tmp_path, arguments, words):
+    done = run(shapes_folder, tmp_path / "out", *arguments)
+    assert done.returncode != 0 and words in done.stderr and "Traceback" not in done.stderr
+
+
+def test_checkpoint_of_others_is_refused(tmp_path):
+    path = tmp_path / "a.pt"
+    for content in (b"", b"not a checkpoint"):
+        path.write_bytes(content)
+        with pytest.raises(CheckpointError, match="a.pt"):
+            load(path)
+    torch.save({"weights": torch.zeros(1)}, path)
+    with pytest.raises(CheckpointError, match="facts"):
+        load(path)
+    save(path, {"config": {}, "names": [], "size": []}, {})
+    with pytest.raises(CheckpointError, match="lacks state"):
+        load(path, "state")
+
+
+def test_checkpoint_is_whole_or_not_there(tmp_path, monkeypatch):
+    path = tmp_path / "a.pt"
+    save(path, {"config": {}, "names": ["old"], "size": []}, {})
+
+    def broken(content, stream):
+        stream.write(b"half")
+        raise OSError("disk full")
+
+    monkeypatch.setattr(torch, "save", broken)
+    with pytest.raises(OSError):
+        save(path, {"config": {}, "names": ["new"], "size": []}, {})
+    assert load(path)[0]["names"] == ["old"]
