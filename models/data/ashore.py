@@ -91,7 +91,8 @@ def cone(draw):
     size = draw.spread(0.22, 0.5)
     params = {"diameter": size, "height": draw.near(1.7 * size, 0.25)}
     if shape in ("plain_cone", "banded_cone", "road_cone"):
-        params.update(band=draw.number(0.1, 0.28), round=int(draw.held_out))
+        params["round"], band = int(draw.held_out), draw.number(0.1, 0.28)
+        params.update({"band": band} if shape != "plain_cone" else {})
     colour = draw.colour((0.7, 0.95), (0.8, 1), (-0.03, 0.07)) if draw.chance(0.6) else draw.colour((0.4, 0.95), (0.5, 1))
     paints = {"body": draw.material(colour, plain=0.8), "base": draw.material(draw.like(colour) if draw.chance(0.5) else None)}
     return shaped(shape, params, materials=paints)
