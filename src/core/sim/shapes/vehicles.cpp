@@ -1,4 +1,6 @@
 // They face x. Wheels stand on z = 0.
+#include <algorithm>
+
 #include "builder.h"
 #include "kinds.h"
 #include "materials.h"
@@ -25,9 +27,9 @@ void cabin(Builder& builder, const Eigen::Vector4f& below, float from, const Eig
   builder.mesh(frustum(level(0.88f), height(0.88f), above, to));
   for (const int x : {0, 1})
     for (const int y : {2, 3}) {
-      const float in = y == 2 ? 0.015f : -0.015f;
-      builder.rod({level(0.1f)[x], level(0.1f)[y] + in, height(0.1f)},
-                  {level(0.88f)[x], level(0.88f)[y] + in, height(0.88f)}, 0.035f);
+      const float ahead = x == 0 ? 0.015f : -0.015f, in = y == 2 ? 0.015f : -0.015f;
+      builder.rod({level(0.1f)[x] + ahead, level(0.1f)[y] + in, height(0.1f)},
+                  {level(0.88f)[x] + ahead, level(0.88f)[y] + in, height(0.88f)}, 0.035f);
     }
   builder.use(window, "window").mesh(frustum(level(0.1f), height(0.1f), level(0.88f), height(0.88f)));
 }
@@ -43,7 +45,8 @@ void wheels(Builder& builder, float x, float y, float radius) {
   for (const float at : {-0.58f * x, 0.62f * x})
     for (const float side : {-1.f, 1.f}) {
       const auto disc = [&](float in, float out, float r) {
-        builder.rod({at, side * in, radius}, {at, side * out, radius}, r);
+        const float middle = std::max(radius, r);  // the arch is the larger, and ends on the ground too
+        builder.rod({at, side * in, middle}, {at, side * out, middle}, r);
       };
       builder.use(matt(kBlack, 0.1f), "arch");
       disc(0.7f * y, 0.955f * y, 1.15f * radius);
