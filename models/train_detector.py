@@ -44,7 +44,7 @@ def arguments():
                             ("batch", "images a step"), ("seed", "of weights and samples"),
                             ("mosaic", "share of samples made of four images"),
                             ("plain", "last share of the training, without mosaics"),
-                            ("small", "first share of the training, on images of half the size"),
+                            ("cuttings", "first share of the training, on quarters of images around bodies"),
                             ("validate", "epochs from one validation to the next"), ("workers", "threads that make batches")):
         parser.add_argument(f"--{name}", type=type(default[name]), default=default[name],
                             help=f"{help_text}; {default[name]:g}")
