@@ -120,7 +120,8 @@ class Training:
         self.average.update(self.network)
         parts = parts.cpu()
         if not torch.isfinite(parts).all():
-            raise FloatingPointError(f"epoch {self.epoch + 1}, step {self.step + 1}: the loss is {parts.tolist()}; try a lower --rate")
+            raise FloatingPointError(f"epoch {self.epoch + 1}, step {self.step + 1}: the loss is {parts.tolist()}; "
+                                     "try a lower --rate")
         self.losses += parts
 
     def run_epoch(self):
