@@ -18,6 +18,9 @@ target_link_libraries(field_fusion_core PUBLIC Eigen3::Eigen ${OpenCV_LIBS} ${PC
 # the simulator: a library of its own, so that a robot in the field needs neither Embree nor assimp
 add_library(field_fusion_sim ${sim_sources})
 target_link_libraries(field_fusion_sim PUBLIC field_fusion_core PRIVATE embree assimp::assimp)
+# loops become vectors, and round as they would alone: nobody asks for errno or traps, and no two operations
+# are fused, so that the same seed gives the same bits on every machine
+target_compile_options(field_fusion_sim PRIVATE -fno-math-errno -fno-trapping-math -ffp-contract=off)
 
 file(GLOB_RECURSE core_test_sources CONFIGURE_DEPENDS test/core/*_test.cpp)
 add_library(core_test_support INTERFACE)

@@ -39,6 +39,13 @@ def median(name, values, unit):
     return line(name, value, unit, len(values), bootstrap(values, statistics.median, 400))
 
 
+def mean(name, values, unit):
+    """NaN when one of the values is, and of no values."""
+    if not values or any(map(math.isnan, values)):
+        return line(name, math.nan, unit, len(values), (math.nan, math.nan))
+    return line(name, statistics.fmean(values), unit, len(values), bootstrap(values, statistics.fmean))
+
+
 def worst(name, values, unit):
     """NaN when one of the values is: what was not measured must not flatter the figure."""
     if not values or any(map(math.isnan, values)):

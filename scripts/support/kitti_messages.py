@@ -5,6 +5,7 @@ import numpy
 
 from body_score import Shape
 from kitti_labels import box_range
+from poses import vector
 
 
 def xyz(cloud):
@@ -14,10 +15,6 @@ def xyz(cloud):
                           "offsets": [offsets[axis] for axis in "xyz"], "itemsize": cloud.point_step})
     points = numpy.frombuffer(cloud.data, layout, cloud.width * cloud.height)
     return numpy.stack([points[axis] for axis in "xyz"], axis=1)
-
-
-def vector(message):
-    return numpy.array([message.x, message.y, message.z])
 
 
 class Clusters:
@@ -55,7 +52,7 @@ def lidar_points(obstacle, obstacles, clusters):
     has those in its box."""
     if obstacle.cluster_id < 0:
         return None
-    points = clusters.arrays[obstacle.cluster_id]
+    points = numpy.concatenate([clusters.arrays[place] for place in (obstacle.cluster_id, *obstacle.joined_clusters)])
     if shares_cluster(obstacle, obstacles):
         inside = numpy.abs(points - vector(obstacle.position)) <= vector(obstacle.size) / 2 + 1e-3
         points = points[inside.all(axis=1)]

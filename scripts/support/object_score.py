@@ -17,7 +17,8 @@ import figures
 import kitti_labels
 import kitti_run
 from body_score import near_range, turn
-from kitti_messages import Clusters, lidar_points, shares_cluster, vector
+from kitti_messages import Clusters, lidar_points, shares_cluster
+from poses import vector
 
 FARTHEST = 70.0  # m, horizontal
 MARGIN = 0.3  # m about the box

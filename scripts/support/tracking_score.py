@@ -17,8 +17,10 @@ import ground_reference
 import kitti_labels
 import kitti_run
 import lane_score
+import stage_run
 from kitti_data import LIDAR_HEIGHT
-from kitti_messages import Clusters, lidar_points, vector, xyz
+from kitti_messages import Clusters, lidar_points, xyz
+from poses import vector
 from ros_session import SessionError
 
 FEWEST = 50  # points in the box of a body that counts
@@ -50,7 +52,7 @@ class Recording:
     def _poses(folder, file):
         """Of all frames, empty where the way cannot be found: the rest is scored without."""
         try:
-            kitti_run.tool("kitti_poses", folder, file)
+            stage_run.tool("kitti_poses", folder, file)
         except SessionError as error:
             print(f"no lane to score, {error}")
             return []

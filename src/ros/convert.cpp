@@ -56,6 +56,7 @@ Obstacle toMessage(const core::Obstacle& in, std::uint32_t id) {
   Obstacle out;
   out.id = id;
   out.cluster_id = in.cluster;
+  out.joined_clusters.assign(in.joined.begin(), in.joined.end());
   out.part = static_cast<std::uint8_t>(in.part);
   out.camera = in.camera;
   out.detection_id = in.detection;
@@ -63,6 +64,7 @@ Obstacle toMessage(const core::Obstacle& in, std::uint32_t id) {
   out.position = xyz<geometry_msgs::Point>(in.position);
   Eigen::Map<Eigen::Matrix3d>(out.position_covariance.data()) = in.covariance;  // symmetric: either order
   out.size = xyz<geometry_msgs::Vector3>(in.size);
+  out.face = xyz<geometry_msgs::Point>(in.face);
   out.existence = static_cast<float>(in.existence);
   out.label = in.label;
   out.label_probability = static_cast<float>(in.label_probability);
@@ -83,6 +85,7 @@ core::CameraTarget fromMessage(const ImageDetection& in) {
   out.score = in.score;
   out.ray_range = in.range;
   out.range_sigma = in.range_sigma;
+  out.cut = in.cut;
   return out;
 }
 

@@ -76,6 +76,7 @@ const char* faultOf(const Obstacle& o) {
   if (!finite(o.position) && !unknown(o.position)) return "has a position that is neither finite nor unknown";
   const bool size_known = finite(o.size) && o.size.x >= 0.0 && o.size.y >= 0.0 && o.size.z >= 0.0;
   if (!size_known && !unknown(o.size)) return "has a size that is neither possible nor unknown";
+  if (!finite(o.face) && !unknown(o.face)) return "has a face that is neither finite nor unknown";
   const auto known = [](double x) { return !std::isnan(x); };
   if ((known(o.range) && !isRange(o.range)) || (known(o.azimuth) && !isAngle(o.azimuth)) ||
       (known(o.elevation) && !isAngle(o.elevation)))

@@ -109,33 +109,37 @@ bool CostmapFeed::fresh(const std_msgs::Header& header) const {
 
 // Parts of a cluster that was split name it more than once: its points count once, if any of them counts.
 void CostmapFeed::gather(const ObstacleArray& obstacles, const ClusterArray* clusters) {
-  const int count = clusters ? static_cast<int>(clusters->clusters.size()) : 0;
+  static const ClusterArray none;
+  const ClusterArray& all = clusters ? *clusters : none;
   bodies_.clear();
-  body_of_.assign(static_cast<std::size_t>(count), -1);
+  body_of_.assign(all.clusters.size(), -1);
   lidar_points_.clear();
   for (const auto& o : obstacles.obstacles) {
     if (o.cluster_id < 0) {
       bodies_.push_back(cameraBody(o));
       continue;
     }
-    if (o.cluster_id >= count)
-      throw std::runtime_error("obstacles damaged: cluster " + std::to_string(o.cluster_id) +
-                               " is named, of " + std::to_string(count));
-    const auto place = static_cast<std::size_t>(o.cluster_id);
-    if (body_of_[place] < 0) {
-      body_of_[place] = static_cast<int>(bodies_.size());
-      bodies_.emplace_back().points = {clusters->clusters[place].first_point,
-                                       clusters->clusters[place].point_count};
-    }
-    auto& body = bodies_[static_cast<std::size_t>(body_of_[place])];
-    body.existence = std::max(body.existence, static_cast<double>(o.existence));
+    gather(static_cast<std::size_t>(o.cluster_id), o.existence, all);
+    for (const auto piece : o.joined_clusters) gather(piece, o.existence, all);
   }
-  if (!clusters) return;
-  lidar_points_.resize(clusters->points.size());
+  lidar_points_.resize(all.points.size());
   for (std::size_t i = 0; i < lidar_points_.size(); ++i) {
-    const auto& p = clusters->points[i];
+    const auto& p = all.points[i];
     lidar_points_[i].x = p.x, lidar_points_[i].y = p.y, lidar_points_[i].z = p.z;
   }
+}
+
+void CostmapFeed::gather(std::size_t place, double existence, const ClusterArray& clusters) {
+  if (place >= body_of_.size())
+    throw std::runtime_error("obstacles damaged: cluster " + std::to_string(place) + " is named, of " +
+                             std::to_string(body_of_.size()));
+  if (body_of_[place] < 0) {
+    body_of_[place] = static_cast<int>(bodies_.size());
+    bodies_.emplace_back().points = {clusters.clusters[place].first_point,
+                                     clusters.clusters[place].point_count};
+  }
+  auto& body = bodies_[static_cast<std::size_t>(body_of_[place])];
+  body.existence = std::max(body.existence, existence);
 }
 
 boost::shared_ptr<sensor_msgs::LaserScan> CostmapFeed::scan(const Points& points) {

@@ -32,7 +32,8 @@ void MatchFlow::reset() {
 boost::shared_ptr<ObstacleArray> MatchFlow::add(const ClusterArray::ConstPtr& clusters, ros::WallTime now) {
   frame_ = clusters->header.frame_id;
   const bool more = sync_.addClusters(clusters->header.stamp.toSec(), now.toSec(), clusters);
-  return obstacleMessage(clusters->header, 0, more, matcher_.run(clustersOf(*clusters), {}, {}));
+  return obstacleMessage(clusters->header, 0, more,
+                         matcher_.run(clustersOf(*clusters), pointsOf(*clusters), {}));
 }
 
 bool MatchFlow::placeable(std::size_t camera, const ImageDetectionArray& detections) const {

@@ -72,6 +72,7 @@ class CostmapFeed {
 
  private:
   void gather(const ObstacleArray& obstacles, const ClusterArray* clusters);
+  void gather(std::size_t place, double existence, const ClusterArray& clusters);
   bool fresh(const std_msgs::Header& header) const;
 
   CostmapParams params_;

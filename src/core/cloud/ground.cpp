@@ -1,7 +1,9 @@
 #include "field_fusion/core/cloud/ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "field_fusion/core/base/checked.h"
@@ -9,6 +11,9 @@
 
 namespace field_fusion::core {
 namespace {
+
+/// Times as bright as the ground would be if hit squarely: no speckle reaches that.
+constexpr double kBrighter = 2.0;
 
 Eigen::Vector3d position(const Point& p) { return p.position().cast<double>(); }
 
@@ -61,7 +66,7 @@ Ground GroundFinder::run(const Cloud& cloud, double stamp, Cloud& ground, Cloud&
   if (!result.found()) result = failed(result.fault);
   result.unusable = cloud.size() - usable_.size();
   measure(cloud, result);
-  split(cloud, ground, obstacles);
+  split(cloud, brightest(cloud, result), ground, obstacles);
   if (result.found()) last_stamp_ = stamp, last_height_ = result.plane.offset;
   return result;
 }
@@ -139,13 +144,29 @@ void GroundFinder::measure(const Cloud& cloud, const Ground& result) {
   for (const std::uint32_t i : usable_) heights_.push_back(result.plane.height(position(cloud[i])));
 }
 
-void GroundFinder::split(const Cloud& cloud, Cloud& ground, Cloud& obstacles) const {
+/// Intensity that no ground reaches; infinite where brightness tells nothing.
+double GroundFinder::brightest(const Cloud& cloud, const Ground& result) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (!(result.plane.offset > 0.0) || params_.bright == 0.0) return kNone;
+  shades_.clear();
+  for (std::size_t k = 0; k < usable_.size(); ++k) {
+    const Point& point = cloud[usable_[k]];
+    if (std::abs(heights_[k]) > params_.distance || !std::isfinite(point.intensity)) continue;
+    shades_.push_back(point.intensity * point.position().norm());
+  }
+  if (shades_.empty()) return kNone;
+  const auto median = shades_.begin() + static_cast<std::ptrdiff_t>(shades_.size() / 2);
+  std::nth_element(shades_.begin(), median, shades_.end());
+  return std::max(params_.bright, kBrighter * *median / result.plane.offset);
+}
+
+void GroundFinder::split(const Cloud& cloud, double brightest, Cloud& ground, Cloud& obstacles) const {
   ground.clear();
   obstacles.clear();
   for (std::size_t k = 0; k < usable_.size(); ++k) {
     const Point& point = cloud[usable_[k]];
     const double height = heights_[k];
-    if (std::abs(height) <= params_.distance)
+    if (std::abs(height) <= params_.distance && !(point.intensity >= brightest))
       ground.push_back(point);
     else if (!(height < 0.0) || !params_.drop_below)
       obstacles.push_back(point);

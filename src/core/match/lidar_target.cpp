@@ -1,5 +1,7 @@
 #include "field_fusion/core/match/lidar_target.h"
 
+#include <algorithm>
+
 namespace field_fusion::core {
 namespace {
 
@@ -12,6 +14,19 @@ Eigen::Matrix3d edgesOf(const Cluster& cluster) {
 }
 
 }  // namespace
+
+void describeMembers(LidarTarget& body, const std::vector<Point>& points, OrientedBoxFitter* fitter) {
+  std::vector<Point> gathered;
+  gathered.reserve(body.members.size());
+  float nearest2 = std::numeric_limits<float>::infinity();
+  for (const std::uint32_t i : body.members) {
+    gathered.push_back(points[i]);
+    nearest2 = std::min(nearest2, points[i].position().squaredNorm());
+  }
+  body.cluster = {};
+  body.cluster.nearest_range = std::sqrt(nearest2);
+  describe(body.cluster, gathered.data(), gathered.size(), fitter);
+}
 
 Sight sightOf(const Cluster& cluster, const Transform& T_view_lidar) {
   constexpr double kNear = 0.01;  // [m] has no direction any more

@@ -22,6 +22,15 @@ double distance2(const Obstacle& a, const Obstacle& b) {
   return difference.dot(covariance.ldlt().solve(difference));
 }
 
+/// Of what is seen: what 1 % of the points are nearer than, because single returns before a body are errors.
+Eigen::Vector3d faceOf(std::vector<Point>& points) {
+  const auto place = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 100);
+  std::nth_element(points.begin(), place, points.end(), [](const Point& a, const Point& b) {
+    return a.position().squaredNorm() < b.position().squaredNorm();
+  });
+  return place->position().cast<double>();
+}
+
 }  // namespace
 
 void Matcher::setParams(const MatchParams& params) {
@@ -31,7 +40,9 @@ void Matcher::setParams(const MatchParams& params) {
   gate.setParams(params.gate, params.obstacle.lidar_range_sigma, bearing_sigma);
   optimal_.setGate(gate);
   margin_ = 2.0 * bearing_sigma;
+  joiner_.setParams(params.shape, gate, margin_);
   splitter_.setParams(params.split, gate, margin_);
+  outline_.setParams(params.shape, params.obstacle.lidar_range_sigma);
   tolerance_.setParams(params.tolerance);
 }
 
@@ -42,8 +53,11 @@ const std::vector<Obstacle>& Matcher::run(const std::vector<Cluster>& clusters,
   for (std::size_t c = 0; c < clusters.size(); ++c)
     if (!clusters[c].faint) bodies_.push_back({clusters[c], static_cast<int>(c), 0, {}});
   if (params_.method == MatchMethod::kOptimal)
-    for (const auto& view : views)
-      if (view) splitter_.run(bodies_, points, *view);
+    for (const auto& view : views) {
+      if (!view) continue;
+      joiner_.run(bodies_, points, *view);
+      splitter_.run(bodies_, points, *view);
+    }
 
   verdicts_.clear();
   for (const auto& view : views) verdicts_.push_back(view ? judge(*view) : Verdicts{});
@@ -51,7 +65,7 @@ const std::vector<Obstacle>& Matcher::run(const std::vector<Cluster>& clusters,
     for (std::size_t camera = 0; camera < views.size(); ++camera)
       if (views[camera]) claimFaint(clusters, *views[camera], verdicts_[camera]);
   obstacles_.clear();
-  addBodies(views);
+  addBodies(points, views);
   for (std::size_t camera = 0; camera < views.size(); ++camera)
     if (views[camera]) addCameraOnly(static_cast<int>(camera), *views[camera], verdicts_[camera].camera);
   return obstacles_;
@@ -102,7 +116,8 @@ void Matcher::claimFaint(const std::vector<Cluster>& clusters, const CameraView&
   }
 }
 
-void Matcher::addBodies(const std::vector<std::optional<CameraView>>& views) {
+void Matcher::addBodies(const std::vector<Point>& points,
+                        const std::vector<std::optional<CameraView>>& views) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Verdict best;
     best.reason = MatchReason::kNoPartnerMessage;
@@ -112,11 +127,17 @@ void Matcher::addBodies(const std::vector<std::optional<CameraView>>& views) {
       by = static_cast<int>(camera);
       best = verdicts_[camera].lidar[b];
     }
-    if (best.partner < 0)
-      obstacles_.push_back(lidarObstacle(bodies_[b], best, params_.obstacle));
-    else
-      obstacles_.push_back(
-          matchedObstacle(bodies_[b], by, views[by]->targets[best.partner], best, params_.obstacle));
+    const CameraView* view = best.partner < 0 ? nullptr : &*views[by];
+    obstacles_.push_back(view ? matchedObstacle(bodies_[b], by, view->targets[best.partner], best, params_.obstacle)
+                              : lidarObstacle(bodies_[b], best, params_.obstacle));
+    seen_points_.clear();
+    forEachPoint(bodies_[b], [&](std::uint32_t i) { seen_points_.push_back(points[i]); });
+    if (view && params_.method == MatchMethod::kOptimal)
+      if (const auto outline = outline_.run(seen_points_, view->targets[best.partner], view->T_view_lidar)) {
+        complete(obstacles_.back(), *outline);
+        continue;
+      }
+    if (!seen_points_.empty()) obstacles_.back().face = faceOf(seen_points_);
   }
 }
 

@@ -30,7 +30,9 @@ Obstacle lidarObstacle(const LidarTarget& body, const Verdict& verdict, const Ob
   out.cluster = body.place;
   out.part = body.part;
   out.position = cluster.centre.cast<double>();
+  out.joined = body.joined;
   out.size = cluster.box.sizes().cast<double>();
+  out.face.setConstant(kNaN);
   out.covariance = lidarCovariance(out.size, params);
   out.existence = cluster.faint ? params.faint_existence : params.lidar_existence;
   out.polar = cluster.polar;
@@ -47,6 +49,7 @@ Obstacle cameraObstacle(int camera, const CameraTarget& target, const Verdict& v
   out.position = target.position;
   out.covariance = cameraCovariance(target, params);
   out.size.setConstant(kNaN);
+  out.face.setConstant(kNaN);
   out.existence = cameraExistence(target, params);
   out.label = target.label;
   out.label_probability = target.score;
@@ -65,6 +68,14 @@ Obstacle matchedObstacle(const LidarTarget& body, int camera, const CameraTarget
   out.label = target.label;
   out.label_probability = target.score;
   return out;
+}
+
+void complete(Obstacle& obstacle, const Outline& outline) {
+  obstacle.position = outline.centre;
+  obstacle.covariance = outline.covariance;
+  obstacle.size = outline.size;
+  obstacle.face = outline.face;
+  obstacle.polar = polar(outline.centre);
 }
 
 }  // namespace field_fusion::core

@@ -29,15 +29,6 @@ double offCentre(const ViewBox& box, const Eigen::Vector3d& point) {
 
 bool hasArea(const ViewBox& box) { return box.known() && box.left > box.right && box.top > box.bottom; }
 
-template <class Use>
-void forEachPoint(const LidarTarget& body, const Use& use) {
-  if (body.part != 0) {
-    for (const std::uint32_t i : body.members) use(i);
-  } else {
-    for (std::uint32_t i = 0; i < body.cluster.points.count; ++i) use(body.cluster.points.first + i);
-  }
-}
-
 }  // namespace
 
 void Splitter::setParams(const SplitParams& params, const Gate& gate, double margin) {
@@ -52,7 +43,7 @@ void Splitter::run(std::vector<LidarTarget>& bodies, const std::vector<Point>& p
   result_.clear();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     dropSecondOpinions(sharers_[b]);
-    if (!split(bodies[b], points, view.T_view_lidar, sharers_[b])) {
+    if (!bodies[b].joined.empty() || !split(bodies[b], points, view.T_view_lidar, sharers_[b])) {
       result_.push_back(std::move(bodies[b]));
       continue;
     }
@@ -114,7 +105,9 @@ bool Splitter::split(const LidarTarget& body, const std::vector<Point>& points, 
       if (boxes.size() == 1) return false;
       deal(body, points, T_view_lidar, false);
     }
-    for (Part& part : parts_) measure(part.body, points, std::isfinite(body.cluster.oriented_box.yaw));
+    OrientedBoxFitter* fitter = std::isfinite(body.cluster.oriented_box.yaw) ? &box_fitter_ : nullptr;
+    for (Part& part : parts_)
+      if (!part.body.members.empty()) describeMembers(part.body, points, fitter);
     const CameraTarget* const bad = failing(T_view_lidar);
     if (!bad) {
       if (parts_.back().body.members.empty()) parts_.pop_back();
@@ -140,17 +133,6 @@ void Splitter::deal(const LidarTarget& body, const std::vector<Point>& points, c
     if (with_rest && !nearest->target->box.contains(point, margin_)) nearest = &parts_.back();
     nearest->body.members.push_back(i);
   });
-}
-
-void Splitter::measure(LidarTarget& part, const std::vector<Point>& points, bool oriented) {
-  if (part.members.empty()) return;
-  gathered_.clear();
-  for (const std::uint32_t i : part.members) gathered_.push_back(points[i]);
-  float nearest2 = std::numeric_limits<float>::infinity();
-  for (const Point& point : gathered_) nearest2 = std::min(nearest2, point.position().squaredNorm());
-  part.cluster = {};
-  part.cluster.nearest_range = std::sqrt(nearest2);
-  describe(part.cluster, gathered_.data(), gathered_.size(), oriented ? &box_fitter_ : nullptr);
 }
 
 const CameraTarget* Splitter::failing(const Transform& T_view_lidar) const {

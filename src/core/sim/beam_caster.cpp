@@ -4,12 +4,12 @@
 #include <array>
 
 #include "field_fusion/core/base/checked.h"
-#include "field_fusion/core/sim/parallel.h"
 
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr std::size_t kBatch = 256;  // rays that are cast at once: their hits stay in the nearest cache
+constexpr std::size_t kBatch = 256;   // rays that are cast at once: their hits stay in the nearest cache
+constexpr std::size_t kShare = 1024;  // beams that one worker takes
 constexpr std::uint64_t kRimNoise = 1ull << 40, kAngleNoise = 1ull << 41;  // sequences of a beam's own
 
 /// Two ranges of one surface differ by less [m].
@@ -27,6 +27,8 @@ BeamCaster::BeamCaster(const LidarParams& params, BeamGrid grid, std::uint64_t s
       noise_(params, grid_.rows, seed),
       seed_(seed),
       duration_(lastOf(grid_.times)),
+      workers_(params.threads),
+      waiting_(static_cast<std::size_t>(workers_.number())),
       middles_(grid_.size()),
       hits_(grid_.size()),
       returns_(grid_.size()) {}
@@ -35,10 +37,12 @@ const std::vector<BeamReturn>& BeamCaster::run(Caster& caster, const PoseAt& T_w
   const PoseTrack track(T_world_sensor, start, start + duration_);
   caster.setWindow(start, start + duration_);
   const Scan scan{caster, track, seedOf(seed_, start)};
-  const auto middles = [&](std::size_t first, std::size_t last) { castMiddles(scan, first, last); };
-  const auto rims = [&](std::size_t first, std::size_t last) { castRims(scan, first, last); };
-  inParallel(grid_.size(), params_.threads, middles);
-  inParallel(grid_.size(), params_.threads, rims);
+  const std::size_t shares = (grid_.size() + kShare - 1) / kShare;
+  const auto end = [&](std::size_t share) { return std::min(grid_.size(), (share + 1) * kShare); };
+  workers_.share(shares, [&](std::size_t share, int) { castMiddles(scan, share * kShare, end(share)); });
+  workers_.share(shares, [&](std::size_t share, int worker) {
+    castRims(scan, share * kShare, end(share), waiting_[static_cast<std::size_t>(worker)]);
+  });
   return returns_;
 }
 
@@ -114,18 +118,7 @@ void BeamCaster::addRims(const Scan& scan, std::size_t beam, std::vector<Ray>& r
   }
 }
 
-void BeamCaster::castRims(const Scan& scan, std::size_t first, std::size_t last) {
-  std::vector<Ray> rays;
-  std::vector<Hit> hits;
-  std::vector<std::size_t> beams;  // that wait for their rims
-  rays.reserve(kBatch + kRims), hits.reserve(kBatch + kRims), beams.reserve(kBatch / kRims + 1);
-  const auto flush = [&] {
-    hits.resize(rays.size());
-    scan.caster.cast(rays.data(), hits.data(), rays.size());
-    for (std::size_t k = 0; k < beams.size(); ++k)
-      returns_[beams[k]] = measure(scan, beams[k], &rays[k * kRims], &hits[k * kRims]);
-    rays.clear(), beams.clear();
-  };
+void BeamCaster::castRims(const Scan& scan, std::size_t first, std::size_t last, Waiting& waiting) {
   for (std::size_t beam = first; beam < last; ++beam) {
     const bool sampled = params_.spot_sampling == SpotSampling::kAlways ||
                          (params_.spot_sampling == SpotSampling::kEdges && atEdge(beam));
@@ -133,11 +126,19 @@ void BeamCaster::castRims(const Scan& scan, std::size_t first, std::size_t last)
       returns_[beam] = measure(scan, beam, nullptr, nullptr);
       continue;
     }
-    addRims(scan, beam, rays);
-    beams.push_back(beam);
-    if (rays.size() >= kBatch) flush();
+    addRims(scan, beam, waiting.rays);
+    waiting.beams.push_back(beam);
+    if (waiting.rays.size() >= kBatch) flush(scan, waiting);
   }
-  if (!beams.empty()) flush();
+  flush(scan, waiting);
+}
+
+void BeamCaster::flush(const Scan& scan, Waiting& w) {
+  w.hits.resize(w.rays.size());
+  scan.caster.cast(w.rays.data(), w.hits.data(), w.rays.size());
+  for (std::size_t k = 0; k < w.beams.size(); ++k)
+    returns_[w.beams[k]] = measure(scan, w.beams[k], &w.rays[k * kRims], &w.hits[k * kRims]);
+  w.rays.clear(), w.beams.clear();
 }
 
 /// Rays of the rim that meet the middle's surface count as the middle: a plane has one range, not nine.

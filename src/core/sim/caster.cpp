@@ -5,44 +5,21 @@
 
 #include "ground_cast.h"
 #include "instances.h"
+#include "packet.h"
 
 namespace field_fusion::core::sim {
 namespace {
 
-constexpr std::size_t kPacket = 8;
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 Line lineOf(const Ray& ray) { return {ray.origin.cast<double>(), ray.direction.cast<double>()}; }
 
-/// Embree may do anything with rays that are not.
-bool castable(const Ray& ray) {
-  const float length = ray.direction.squaredNorm();
-  return std::isfinite(ray.origin.sum() + length) && length > 0.f && ray.time >= 0.f && ray.time <= 1.f;
-}
-
-RTCRay embreeRay(const Ray& ray, float reach, bool numbered) {
-  const unsigned number = numbered ? rayNumber(ray.origin, ray.direction) : 0;
-  return {ray.origin.x(),
-          ray.origin.y(),
-          ray.origin.z(),
-          0.f,
-          ray.direction.x(),
-          ray.direction.y(),
-          ray.direction.z(),
-          ray.time,
-          reach,
-          0xffffffff,
-          number,
-          0};
-}
-
-void put(const RTCRay& ray, RTCRayHit8& packet, std::size_t i) {
-  RTCRay8& to = packet.ray;
-  to.org_x[i] = ray.org_x, to.org_y[i] = ray.org_y, to.org_z[i] = ray.org_z, to.tnear[i] = ray.tnear;
-  to.dir_x[i] = ray.dir_x, to.dir_y[i] = ray.dir_y, to.dir_z[i] = ray.dir_z, to.time[i] = ray.time;
-  to.tfar[i] = ray.tfar, to.mask[i] = ray.mask, to.id[i] = ray.id, to.flags[i] = ray.flags;
-  packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-}
+struct Context : RTCIntersectContext {
+  Context() {
+    rtcInitIntersectContext(this);
+    flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  }
+};
 
 bool seesThrough(const World& world) {
   const auto through = [](const Model& model) {
@@ -57,12 +34,6 @@ bool seesThrough(const World& world) {
 }
 
 }  // namespace
-
-/// What Embree found of one ray.
-struct Found {
-  float range;
-  unsigned instance, geometry, primitive;
-};
 
 struct Caster::Scene {
   const World& world;
@@ -83,57 +54,112 @@ struct Caster::Scene {
     attach(device.get(), top.get(), static_cast<unsigned>(instances.size()), rough);
   }
 
-  double groundRange(const Ray& ray) const { return ground.range(lineOf(ray), begin + length * ray.time); }
-
-  Hit groundHit(const Ray& ray, double range) const {
+  Hit groundHit(const Ray& ray, const MeetingLanes& meeting, std::size_t lane) const {
     const Line line = lineOf(ray);
-    const Eigen::Vector3d at = line.at(range), up = ground.normal(at, begin + length * ray.time);
+    const Eigen::Vector3d up =
+        Eigen::Vector3d(-meeting.slope_x[lane], -meeting.slope_y[lane], 1.0).normalized();
     const Eigen::Vector3d towards = up.dot(line.direction) > 0.0 ? -up : up;
-    return {static_cast<float>(range), Hit::kGround, towards.cast<float>(), at.cast<float>(),
-            &world.ground.material};
+    return {static_cast<float>(meeting.range[lane]), Hit::kGround, towards.cast<float>(),
+            line.at(meeting.range[lane]).cast<float>(), &world.ground.material};
   }
 
-  Hit partHit(const Ray& ray, const Found& found) const {
-    const bool instanced = found.instance != RTC_INVALID_GEOMETRY_ID;
-    const Instance* instance = instanced ? &instances[found.instance] : nullptr;
-    const Part& part = instanced ? instance->link->parts[found.geometry] : rough;
+  Hit partHit(const Ray& ray, const RTCRayHit8& found, std::size_t lane) const {
+    const unsigned number = found.hit.instID[0][lane];
+    const bool instanced = number != RTC_INVALID_GEOMETRY_ID;
+    const Instance* instance = instanced ? &instances[number] : nullptr;
+    const Part& part = instanced ? instance->link->parts[found.hit.geomID[lane]] : rough;
     const Affine T = instanced ? instance->worldToLink(ray.time) : Affine::Identity();
     const Line world_line = lineOf(ray), line{T * world_line.origin, T.linear() * world_line.direction};
-    const Cut c = cut(line, part.shape, found.primitive, static_cast<double>(found.range));
+    const Cut c = cut(line, part.shape, found.hit.primID[lane], static_cast<double>(found.ray.tfar[lane]));
     const Eigen::Vector3d out = (T.linear().transpose() * c.normal).normalized();
     const Eigen::Vector3d towards = out.dot(world_line.direction) > 0.0 ? -out : out;
     return {static_cast<float>(c.t), instanced ? instance->body : Hit::kGround, towards.cast<float>(),
             line.at(c.t).cast<float>(), instanced ? &part.material : &world.ground.material};
   }
 
-  /// The water is looked for only where Embree's find does not lie before all of it.
-  Hit finish(const Ray& ray, const Span& ground_bounds, const Found& found) const {
-    const bool met = found.geometry != RTC_INVALID_GEOMETRY_ID;
-    if (met && static_cast<double>(found.range) <= ground_bounds.enter) return partHit(ray, found);
-    const double to_ground = std::isfinite(ground_bounds.enter) ? groundRange(ray) : kEndless;
-    if (met && static_cast<double>(found.range) <= to_ground) return partHit(ray, found);
-    return std::isfinite(to_ground) ? groundHit(ray, to_ground) : Hit{};
+  /// `intersect` is called once rays end where the ground surely is. Water is looked for only where what that
+  /// finds does not lie before all of it.
+  template <class Intersect>
+  void cast(Packet& packet, const Ray* rays, Hit* hits, std::size_t count, const Intersect& intersect) const {
+    LineLanes lines;
+    BoundLanes bounds;
+    packet.lines(begin, length, lines);
+    ground.bounds(lines, bounds);
+    RTCRayHit8& found = packet.rays;
+    for (std::size_t i = 0; i < kLanes; ++i) found.ray.tfar[i] = static_cast<float>(bounds.leave[i]);
+    intersect();
+    Lanes<double> wanted;
+    double any = 0.0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const bool before = packet.met(i) && static_cast<double>(found.ray.tfar[i]) <= bounds.enter[i];
+      wanted[i] = packet.valid[i] && std::isfinite(bounds.enter[i]) && !before;
+      any += wanted[i];
+    }
+    MeetingLanes meeting;
+    if (any > 0.0) ground.meet(lines, wanted, meeting);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double to_ground = wanted[i] > 0.0 ? meeting.range[i] : static_cast<double>(kEndless);
+      if (packet.met(i) && static_cast<double>(found.ray.tfar[i]) <= to_ground)
+        hits[i] = partHit(rays[i], found, i);
+      else
+        hits[i] = std::isfinite(to_ground) ? groundHit(rays[i], meeting, i) : Hit{};
+    }
   }
 
   void castPacket(const Ray* rays, Hit* hits, std::size_t count, bool with_ground) const {
-    alignas(32) int valid[kPacket] = {};
-    Span bounds[kPacket];
-    RTCRayHit8 packet;
-    for (std::size_t i = 0; i < kPacket; ++i) {
-      if (i >= count || !castable(rays[i])) continue;
-      bounds[i] = with_ground ? ground.bounds(lineOf(rays[i])) : Span{kEndless, kEndless};
-      put(embreeRay(rays[i], static_cast<float>(bounds[i].leave), numbered), packet, i);
-      valid[i] = -1;
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid, top.get(), &context, &packet);
+    Packet packet(rays, count, numbered);
+    const auto intersect = [&] {
+      Context context;
+      rtcIntersect8(packet.valid, top.get(), &context, &packet.rays);
+    };
+    if (with_ground) return cast(packet, rays, hits, count, intersect);
+    intersect();
     for (std::size_t i = 0; i < count; ++i)
-      hits[i] = valid[i] ? finish(rays[i], bounds[i],
-                                  {packet.ray.tfar[i], packet.hit.instID[0][i], packet.hit.geomID[i],
-                                   packet.hit.primID[i]})
-                         : Hit{};
+      hits[i] = packet.met(i) ? partHit(rays[i], packet.rays, i) : Hit{};
+  }
+
+  void hidden(const Packet& packet, float distance, bool* results, std::size_t count) const {
+    LineLanes lines;
+    MeetingLanes meeting;
+    Lanes<double> wanted;
+    packet.lines(begin, length, lines);
+    for (std::size_t i = 0; i < kLanes; ++i) wanted[i] = packet.valid[i] != 0;
+    ground.meet(lines, wanted, meeting);
+    for (std::size_t i = 0; i < count; ++i)
+      results[i] = packet.valid[i] && meeting.range[i] < static_cast<double>(distance);
+  }
+
+  void blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool with_ground) const {
+    Packet packet(rays, count, numbered);
+    std::fill(results, results + count, false);
+    if (with_ground) hidden(packet, distance, results, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      packet.rays.ray.tfar[i] = distance;
+      if (results[i] || !(distance > 0.f)) packet.valid[i] = 0;
+    }
+    Context context;
+    rtcOccluded8(packet.valid, top.get(), &context, &packet.rays.ray);
+    for (std::size_t i = 0; i < count; ++i)
+      if (packet.valid[i]) results[i] = packet.rays.ray.tfar[i] < 0.f;
+  }
+
+  /// To what a link's own scene holds, where that is nearer than what `ranges` say.
+  void approach(const Instance& instance, const Packet& rays, float* ranges, std::size_t count) const {
+    Packet packet = rays;
+    RTCRay8& r = packet.rays.ray;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Affine T = instance.worldToLink(r.time[i]);
+      const Eigen::Vector3d origin = T * Eigen::Vector3d(r.org_x[i], r.org_y[i], r.org_z[i]);
+      const Eigen::Vector3d along = T.linear() * Eigen::Vector3d(r.dir_x[i], r.dir_y[i], r.dir_z[i]);
+      const Eigen::Vector3f o = origin.cast<float>(), d = along.cast<float>();
+      r.org_x[i] = o.x(), r.org_y[i] = o.y(), r.org_z[i] = o.z();
+      r.dir_x[i] = d.x(), r.dir_y[i] = d.y(), r.dir_z[i] = d.z();
+      r.tfar[i] = ranges[i];
+    }
+    Context context;
+    rtcIntersect8(packet.valid, instance.scene, &context, &packet.rays);
+    for (std::size_t i = 0; i < count; ++i)
+      if (packet.met(i)) ranges[i] = r.tfar[i];
   }
 };
 
@@ -151,73 +177,51 @@ void Caster::setWindow(double begin, double end) {
 }
 
 Hit Caster::cast(const Ray& ray) const {
-  if (!castable(ray)) return {};
-  const Span bounds = scene_->ground.bounds(lineOf(ray));
-  RTCRayHit query{embreeRay(ray, static_cast<float>(bounds.leave), scene_->numbered), {}};
-  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_->top.get(), &context, &query);
-  return scene_->finish(ray, bounds,
-                        {query.ray.tfar, query.hit.instID[0], query.hit.geomID, query.hit.primID});
+  Hit hit;
+  Packet packet(&ray, 1, scene_->numbered);
+  scene_->cast(packet, &ray, &hit, 1, [&] {
+    if (!packet.valid[0]) return;
+    RTCRayHit query = packet.single(0);
+    Context context;
+    rtcIntersect1(scene_->top.get(), &context, &query);
+    packet.rays.ray.tfar[0] = query.ray.tfar;
+    packet.rays.hit.geomID[0] = query.hit.geomID, packet.rays.hit.primID[0] = query.hit.primID;
+    packet.rays.hit.instID[0][0] = query.hit.instID[0];
+  });
+  return hit;
 }
 
 void Caster::cast(const Ray* rays, Hit* hits, std::size_t count, bool ground) const {
-  for (std::size_t i = 0; i < count; i += kPacket)
-    scene_->castPacket(rays + i, hits + i, std::min(kPacket, count - i), ground);
+  for (std::size_t i = 0; i < count; i += kLanes)
+    scene_->castPacket(rays + i, hits + i, std::min(kLanes, count - i), ground);
 }
 
 bool Caster::blocked(const Ray& ray, float distance) const {
-  if (!castable(ray) || !(distance > 0.f)) return false;
-  if (scene_->groundRange(ray) < static_cast<double>(distance)) return true;
-  RTCRay query = embreeRay(ray, distance, scene_->numbered);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_->top.get(), &context, &query);
-  return query.tfar < 0.f;
+  bool result;
+  scene_->blocked(&ray, distance, &result, 1, true);
+  return result;
 }
 
 void Caster::blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool ground) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  for (std::size_t from = 0; from < count; from += kPacket) {
-    const std::size_t here = std::min(kPacket, count - from);
-    alignas(32) int valid[kPacket] = {};
-    RTCRayHit8 packet;
-    for (std::size_t i = 0; i < here; ++i) {
-      const Ray& ray = rays[from + i];
-      results[from + i] = false;
-      if (!castable(ray) || !(distance > 0.f)) continue;
-      results[from + i] = ground && scene_->groundRange(ray) < static_cast<double>(distance);
-      put(embreeRay(ray, distance, scene_->numbered), packet, i);
-      valid[i] = results[from + i] ? 0 : -1;
-    }
-    rtcOccluded8(valid, scene_->top.get(), &context, &packet.ray);
-    for (std::size_t i = 0; i < here; ++i)
-      if (valid[i]) results[from + i] = packet.ray.tfar[i] < 0.f;
-  }
+  for (std::size_t i = 0; i < count; i += kLanes)
+    scene_->blocked(rays + i, distance, results + i, std::min(kLanes, count - i), ground);
 }
 
 float Caster::rangeTo(int body, const Ray& ray) const {
-  if (!castable(ray)) return kEndless;
+  float range;
+  rangesTo(body, &ray, &range, 1);
+  return range;
+}
+
+void Caster::rangesTo(int body, const Ray* rays, float* ranges, std::size_t count) const {
   const auto [first, last] = scene_->instances.of(body);
-  float nearest = kEndless;
-  for (unsigned i = first; i < last; ++i) {
-    const Instance& instance = scene_->instances[i];
-    const Affine T = instance.worldToLink(ray.time);
-    RTCRayHit query{embreeRay(ray, nearest, scene_->numbered), {}};
-    const Eigen::Vector3f origin = (T * ray.origin.cast<double>()).cast<float>();
-    const Eigen::Vector3f direction = (T.linear() * ray.direction.cast<double>()).cast<float>();
-    query.ray.org_x = origin.x(), query.ray.org_y = origin.y(), query.ray.org_z = origin.z();
-    query.ray.dir_x = direction.x(), query.ray.dir_y = direction.y(), query.ray.dir_z = direction.z();
-    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(instance.scene, &context, &query);
-    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) nearest = query.ray.tfar;
+  std::fill(ranges, ranges + count, kEndless);
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const std::size_t here = std::min(kLanes, count - i);
+    const Packet packet(rays + i, here, scene_->numbered);
+    for (unsigned link = first; link < last; ++link)
+      scene_->approach(scene_->instances[link], packet, ranges + i, here);
   }
-  return nearest;
 }
 
 }  // namespace field_fusion::core::sim

@@ -6,9 +6,10 @@
 
 #include <opencv2/core.hpp>
 
+#include "blur.h"
+#include "field_fusion/core/sim/workers.h"
 #include "film.h"
 #include "random.h"
-#include "rows.h"
 #include "shading.h"
 
 namespace field_fusion::core::sim {
@@ -47,7 +48,7 @@ struct ColourCamera::State {
   Shader shader;
   Film film;
   Exposure exposure;
-  int workers;
+  Workers workers;
   ImageTruth truth;
   std::vector<Row> rows;
   cv::Mat light, blurred;  // CV_32FC3, radiance
@@ -63,12 +64,12 @@ struct ColourCamera::State {
         shader(w, static_cast<float>(lens.pixelAngle()), p.reflections),
         film(p),
         exposure(p),
-        workers(workersOf(p.threads)),
+        workers(p.threads),
         truth(w, lens),
         light(p.height, p.width, CV_32FC3),
         blurred(p.height, p.width, CV_32FC3),
         meter(static_cast<std::size_t>(p.height)) {
-    for (int i = 0; i < workers; ++i) rows.emplace_back(static_cast<std::size_t>(p.width));
+    for (int i = 0; i < workers.number(); ++i) rows.emplace_back(static_cast<std::size_t>(p.width));
     frame.image.create(p.height, p.width, CV_8UC3);
     frame.bodies.create(p.height, p.width, CV_32S);
     frame.ranges.create(p.height, p.width, CV_32F);
@@ -76,7 +77,8 @@ struct ColourCamera::State {
 
   template <class Job>
   void over(const Job& job) {
-    overRows(params.height, workers, job);
+    workers.share(static_cast<std::size_t>(params.height),
+                  [&](std::size_t v, int worker) { job(static_cast<int>(v), worker); });
   }
 
   void castRow(const Shot& shot, int v, float right, float down, Row& row) const {
@@ -162,12 +164,12 @@ struct ColourCamera::State {
   const cv::Mat& blur(const std::function<Transform(double)>& pose, double stamp) {
     const double half = 0.5 * exposure.time();
     const Transform middle = pose(stamp) * sensorToOptical();
-    const Motion motion{(pose(stamp - half) * sensorToOptical()).inverse() * middle,
-                        (pose(stamp + half) * sensorToOptical()).inverse() * middle};
+    const Blur motion(lens, (pose(stamp - half) * sensorToOptical()).inverse() * middle,
+                      (pose(stamp + half) * sensorToOptical()).inverse() * middle);
     double nearest = 0.0;
     cv::minMaxLoc(frame.ranges, &nearest);
-    if (motion.longest(lens, static_cast<float>(nearest)) < 0.8f * kSharp) return light;
-    over([&](int v, int) { blurRow(lens, motion, light, frame.ranges, v, blurred); });
+    if (!motion.seen(static_cast<float>(nearest))) return light;
+    over([&](int v, int) { motion.row(light, frame.ranges, v, blurred); });
     return blurred;
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "field_fusion/core/base/checked.h"
-#include "field_fusion/core/sim/parallel.h"
 
 namespace field_fusion::core::sim {
 namespace {
@@ -19,7 +18,7 @@ float contrast(const Material& material, float pixels) {
 }  // namespace
 
 DepthCamera::DepthCamera(const DepthCameraParams& params, std::uint64_t seed)
-    : params_(checked(params)), seed_(seed) {
+    : params_(checked(params)), seed_(seed), workers_(params.threads) {
   scale_ = params.depth_scale * (2.0 * BeamRandom(seed, 0).uniform() - 1.0);
   image_.width = params.width, image_.height = params.height;
   image_.focal_length = params.focal_length;
@@ -40,12 +39,8 @@ const DepthImage& DepthCamera::frame(Caster& caster, const PoseAt& T_world_senso
   const std::uint64_t seed = seedOf(seed_, stamp);
   drawGrains(seed);
   const std::size_t rows = static_cast<std::size_t>(params_.height);
-  inParallel(rows, params_.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) castRow(caster, pose, static_cast<int>(row));
-  });
-  inParallel(rows, params_.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) matchRow(static_cast<int>(row), seed);
-  });
+  workers_.share(rows, [&](std::size_t row, int) { castRow(caster, pose, static_cast<int>(row)); });
+  workers_.share(rows, [&](std::size_t row, int) { matchRow(static_cast<int>(row), seed); });
   return image_;
 }
 

@@ -3,21 +3,10 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "ray_cut.h"
+#include "cylinder_cast.h"
 
 namespace field_fusion::core::sim {
 namespace {
-
-unsigned mix(unsigned h) {  // the finaliser of MurmurHash3
-  h = (h ^ (h >> 16)) * 0x85ebca6bu;
-  h = (h ^ (h >> 13)) * 0xc2b2ae35u;
-  return h ^ (h >> 16);
-}
-
-bool passes(const Part& part, unsigned ray, unsigned instance, unsigned geometry, unsigned primitive) {
-  const unsigned drawn = mix(ray ^ mix(instance + mix(geometry + mix(primitive))));
-  return static_cast<float>(drawn >> 8) < part.material.transparency * 16777216.f;
-}
 
 void letSomePass(const RTCFilterFunctionNArguments* a) {
   const Part& part = *static_cast<const Part*>(a->geometryUserPtr);
@@ -25,55 +14,6 @@ void letSomePass(const RTCFilterFunctionNArguments* a) {
     if (a->valid[i] && passes(part, RTCRayN_id(a->ray, a->N, i), RTCHitN_instID(a->hit, a->N, i, 0),
                               RTCHitN_geomID(a->hit, a->N, i), RTCHitN_primID(a->hit, a->N, i)))
       a->valid[i] = 0;
-}
-
-void cylinderBounds(const RTCBoundsFunctionArguments* a) {
-  Model model;
-  model.links.push_back({{*static_cast<const Part*>(a->geometryUserPtr)}, {}, -1});
-  const Eigen::AlignedBox3f box = model.box().cast<float>();
-  const float more = 1e-6f * box.sizes().maxCoeff() + 4e-7f * box.max().cwiseAbs().maxCoeff();
-  const Eigen::Vector3f low = box.min().array() - more, high = box.max().array() + more;
-  *a->bounds_o = {low.x(), low.y(), low.z(), 0.f, high.x(), high.y(), high.z(), 0.f};
-}
-
-Line lineOf(RTCRayN* r, unsigned n, unsigned i) {
-  return {{RTCRayN_org_x(r, n, i), RTCRayN_org_y(r, n, i), RTCRayN_org_z(r, n, i)},
-          {RTCRayN_dir_x(r, n, i), RTCRayN_dir_y(r, n, i), RTCRayN_dir_z(r, n, i)}};
-}
-
-/// Where ray i meets the cylinder before its end; NaN: nowhere.
-double meets(const Part& part, RTCRayN* r, unsigned n, unsigned i) {
-  const Span s = span(lineOf(r, n, i), std::get<Cylinder>(part.shape));
-  const double from = RTCRayN_tnear(r, n, i), to = RTCRayN_tfar(r, n, i);
-  if (!(s.enter <= s.leave)) return kNaN;
-  if (s.enter > from && s.enter < to) return s.enter;
-  return s.leave > from && s.leave < to ? s.leave : kNaN;
-}
-
-void cylinderHit(const RTCIntersectFunctionNArguments* a) {
-  const Part& part = *static_cast<const Part*>(a->geometryUserPtr);
-  RTCRayN* ray = RTCRayHitN_RayN(a->rayhit, a->N);
-  RTCHitN* hit = RTCRayHitN_HitN(a->rayhit, a->N);
-  const unsigned instance = a->context->instID[0];
-  for (unsigned i = 0; i < a->N; ++i) {
-    if (!a->valid[i] || passes(part, RTCRayN_id(ray, a->N, i), instance, a->geomID, a->primID)) continue;
-    const double t = meets(part, ray, a->N, i);
-    if (std::isnan(t)) continue;
-    RTCRayN_tfar(ray, a->N, i) = static_cast<float>(t);
-    RTCHitN_primID(hit, a->N, i) = a->primID;
-    RTCHitN_geomID(hit, a->N, i) = a->geomID;
-    RTCHitN_instID(hit, a->N, i, 0) = instance;
-  }
-}
-
-void cylinderBlocks(const RTCOccludedFunctionNArguments* a) {
-  const Part& part = *static_cast<const Part*>(a->geometryUserPtr);
-  const unsigned instance = a->context->instID[0];
-  for (unsigned i = 0; i < a->N; ++i) {
-    if (!a->valid[i] || passes(part, RTCRayN_id(a->ray, a->N, i), instance, a->geomID, a->primID)) continue;
-    if (!std::isnan(meets(part, a->ray, a->N, i)))
-      RTCRayN_tfar(a->ray, a->N, i) = -std::numeric_limits<float>::infinity();
-  }
 }
 
 struct Maker {
@@ -106,10 +46,7 @@ struct Maker {
   }
   Geometry operator()(const Cylinder&) const {
     Geometry g = make(RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g.get(), 1);
-    rtcSetGeometryBoundsFunction(g.get(), cylinderBounds, nullptr);
-    rtcSetGeometryIntersectFunction(g.get(), cylinderHit);
-    rtcSetGeometryOccludedFunction(g.get(), cylinderBlocks);
+    castAsCylinder(g.get());
     return g;
   }
 };
@@ -140,14 +77,6 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const Part& part) {
   }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(scene, geometry.get(), id);
-}
-
-unsigned rayNumber(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
-  const float values[6] = {origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z()};
-  unsigned bits[6], h = 0;
-  std::memcpy(bits, values, sizeof bits);
-  for (const unsigned b : bits) h = mix(h + b);
-  return h;
 }
 
 }  // namespace field_fusion::core::sim

@@ -24,12 +24,8 @@ Device newDevice();
 void checkDevice(RTCDevice device, const char* doing);
 
 /// Attaches the shape under the number `id`. Rays pass it by chance as its transparency says; see
-/// `rayNumber`. The shape must outlive the scene.
+/// Packet. The shape must outlive the scene.
 void attach(RTCDevice device, RTCScene scene, unsigned id, const Part& part);
-
-/// Whether a ray passes is drawn from this number (RTCRay::id) and from what it hits, so that the same ray
-/// always meets the same fate, in any packet and thread.
-unsigned rayNumber(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction);
 
 /// Throws std::invalid_argument for sizes that are not above 0 or not finite, and for meshes that are empty
 /// or name vertices that are not there.

@@ -13,22 +13,6 @@ namespace field_fusion::core::sim {
 /// for a human eye, as radiance over that of a white sheet (E = pi of it), in any direction `d`.
 float scattered(const Eigen::Vector3f& d, const Eigen::Vector3f& to_sun);
 
-/// Turns of the camera during an exposure, in the optical frame of its middle.
-struct Motion {
-  Transform T_begin_middle, T_end_middle;
-
-  /// [px] that a point at `range` [m] along a ray moves; NaN if it is not in front at both ends.
-  Eigen::Vector2f shift(const Lens& lens, const Eigen::Vector3f& ray, float range) const;
-  /// [px] the longest shift, sampled over the picture for what is endlessly far and for the `nearest` [m].
-  float longest(const Lens& lens, float nearest) const;
-};
-
-constexpr float kSharp = 0.25f;  ///< [px] a shift that is not seen
-
-/// Row `v` of the picture as it is smeared by the motion. `light` is CV_32FC3, `ranges` CV_32F.
-void blurRow(const Lens& lens, const Motion& motion, const cv::Mat& light, const cv::Mat& ranges, int v,
-             cv::Mat& out);
-
 /// Sensor of 12 bits behind a vignetting lens; output in sRGB.
 class Film {
  public:
@@ -42,7 +26,13 @@ class Film {
  private:
   static constexpr int kSteps = 4096;
 
-  float vignette(int u, int v) const;
+  static constexpr int kBlock = 64;
+  struct Block {
+    float value[3 * kBlock] = {};
+  };
+
+  void expose(const float* light, int u, int v, std::size_t count, float scale, Block& out) const;
+  void disturb(std::uint64_t seed, std::size_t count, float one, float read, Block& block) const;
 
   CameraParams params_;
   float corner_;                           // [px^2] from the middle

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rows.h"
-
 namespace field_fusion::core::sim {
 namespace {
 
@@ -29,16 +27,27 @@ struct Job {
   Count seen, alone;
 };
 
+/// Pixels of a row that show something else are cast at the body alone.
 void count(Job& job, const Caster& caster, const Lens& lens, const Eigen::Isometry3f& T_world_optical,
            const cv::Mat& bodies) {
+  std::vector<Ray> rays;
+  std::vector<int> columns;
+  std::vector<float> ranges;
   for (int v = job.rect.y; v < job.rect.y + job.rect.height; ++v) {
     const int* shown = bodies.ptr<int>(v);
+    rays.clear(), columns.clear();
     for (int u = job.rect.x; u < job.rect.x + job.rect.width; ++u) {
-      const bool seen = shown[u] == job.body;
-      if (seen) job.seen.add(u, v);
-      const Ray ray{T_world_optical.translation(), T_world_optical.linear() * lens.ray(u, v), 0.f};
-      if (seen || std::isfinite(caster.rangeTo(job.body, ray))) job.alone.add(u, v);
+      if (shown[u] == job.body) {
+        job.seen.add(u, v), job.alone.add(u, v);
+        continue;
+      }
+      rays.push_back({T_world_optical.translation(), T_world_optical.linear() * lens.ray(u, v), 0.f});
+      columns.push_back(u);
     }
+    ranges.resize(rays.size());
+    caster.rangesTo(job.body, rays.data(), ranges.data(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (std::isfinite(ranges[i])) job.alone.add(columns[i], v);
   }
 }
 
@@ -58,7 +67,7 @@ ImageTruth::ImageTruth(const World& world, const Lens& lens) : world_(world), le
 }
 
 std::vector<BodyView> ImageTruth::views(const Caster& caster, const Transform& T_world_optical, double time,
-                                        const cv::Mat& bodies, int threads) const {
+                                        const cv::Mat& bodies, Workers& workers) const {
   std::vector<Job> jobs;
   for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
     const Body& body = world_.bodies[i];
@@ -68,8 +77,7 @@ std::vector<BodyView> ImageTruth::views(const Caster& caster, const Transform& T
     if (!rect.empty()) jobs.push_back({static_cast<int>(i), rect, {}, {}});
   }
   const Eigen::Isometry3f T = T_world_optical.cast<float>();
-  overRows(static_cast<int>(jobs.size()), workersOf(threads),
-           [&](int j, int) { count(jobs[static_cast<std::size_t>(j)], caster, lens_, T, bodies); });
+  workers.share(jobs.size(), [&](std::size_t j, int) { count(jobs[j], caster, lens_, T, bodies); });
   std::vector<BodyView> views;
   for (const Job& job : jobs)
     if (job.alone.number > 0) views.push_back(viewOf(job, bodies.size()));

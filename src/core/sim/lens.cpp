@@ -70,11 +70,9 @@ Eigen::Vector2d Lens::undistorted(const Eigen::Vector2d& pixel, Eigen::Vector2d 
 
 Eigen::Vector2d Lens::project(const Eigen::Vector3d& p) const {
   if (!(p.z() > 0.0)) return Eigen::Vector2d::Constant(kNaN);
-  Eigen::Vector2d flat = p.head<2>() / p.z();
-  const double r2 = flat.squaredNorm();
-  if (r2 > widest_) flat *= std::sqrt(widest_ / r2);
-  const Eigen::Vector2d d = distorted(flat, nullptr);
-  return {params_.fx * d.x() + params_.cx, params_.fy * d.y() + params_.cy};
+  Eigen::Vector2d at;
+  formula<double>().pixel(p.x() / p.z(), p.y() / p.z(), at.x(), at.y());
+  return at;
 }
 
 Eigen::Vector3f Lens::ray(int u, int v, float right, float down) const {

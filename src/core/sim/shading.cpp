@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 constexpr float kMirrorReach = 200.f;  // [m] farther off water mirrors the sky alone
+constexpr float kFaint = 1e-5f;        // glitter that no sensor sees
 constexpr float kGlossPower = 80.f;    // of the highlight's lobe (Blinn 1977)
 
 /// A little off the surface, so that a ray does not meet it again.
@@ -22,6 +23,7 @@ Ray leaving(const Ray& ray, const Hit& hit, const Eigen::Vector3f& direction) {
 
 Shader::Shader(const World& world, float pixel_angle, bool reflections)
     : sky_(world.light),
+      ripples_(sky_.toSun()),
       water_(world.ground.kind == Ground::Kind::kWater),
       reflections_(reflections && water_),
       pixel_angle_(pixel_angle),
@@ -31,15 +33,12 @@ Shader::Shader(const World& world, float pixel_angle, bool reflections)
       sun_height * sky_.sun() + sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
   bounce_ = world.ground.kind == Ground::Kind::kNone ? Eigen::Vector3f(0.2f * light)
                                                      : world.ground.material.colour.cwiseProduct(light);
+  below_ = world.ground.material.colour.cwiseProduct(light);  // a shadow on deep water is hardly seen
 }
 
 float Shader::footprint(const Ray& ray, const Hit& hit) const {
   const float slant = std::max(0.02f, std::abs(hit.normal.dot(ray.direction)));
   return pixel_angle_ * hit.range / std::sqrt(slant);
-}
-
-WaterLook Shader::lookOf(const Ray& ray, const Hit& hit, double time) const {
-  return ripples_.look(hit.place, hit.normal, ray.direction, sky_.toSun(), time, footprint(ray, hit));
 }
 
 Eigen::Vector3f Shader::hazed(const Eigen::Vector3f& colour, float range) const {
@@ -70,10 +69,7 @@ Eigen::Vector3f Shader::surface(const Ray& ray, const Hit& hit, bool lit) const 
 
 Eigen::Vector3f Shader::waterSurface(const Hit& hit, bool lit, const WaterLook& look,
                                      const Eigen::Vector3f& mirrored) const {
-  Eigen::Vector3f light = sky_.ambient(Eigen::Vector3f::UnitZ(), Eigen::Vector3f::Zero());
-  light += std::max(0.f, sky_.toSun().z()) * sky_.sun();  // a shadow on deep water is hardly seen
-  const Eigen::Vector3f below = hit.material->colour.cwiseProduct(light);
-  Eigen::Vector3f out = below + look.share * (mirrored - below);
+  Eigen::Vector3f out = below_ + look.share * (mirrored - below_);
   if (lit) out += look.glitter * sky_.sun();
   return hazed(out, hit.range);
 }
@@ -84,7 +80,7 @@ void Shader::castShadows(const Caster& caster, const Ray* rays, const Hit* hits,
   if (!(sky_.sun().sum() > 0.f)) return;
   for (std::size_t i = 0; i < count; ++i) {
     if (hits[i].body == Hit::kNothing) continue;
-    const bool faces = isWater(hits[i]) ? sky_.toSun().z() > 0.f : hits[i].normal.dot(sky_.toSun()) > 0.f;
+    const bool faces = isWater(hits[i]) ? s.looks[i].glitter > kFaint : hits[i].normal.dot(sky_.toSun()) > 0.f;
     if (!faces) continue;
     s.rays.push_back(leaving(rays[i], hits[i], sky_.toSun())), s.pixels.push_back(i);
   }
@@ -95,12 +91,32 @@ void Shader::castShadows(const Caster& caster, const Ray* rays, const Hit* hits,
   for (std::size_t j = 0; j < s.pixels.size(); ++j) s.lit[s.pixels[j]] = !s.blocked[j];
 }
 
+void Shader::lookAtWater(const Ray* rays, const Hit* hits, double time, Scratch& s) const {
+  WaterPlaces places;
+  WaterLook looks[kLanes];
+  for (std::size_t from = 0; from < s.water.size(); from += kLanes) {
+    const std::size_t here = std::min(kLanes, s.water.size() - from);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t i = s.water[from + std::min(lane, here - 1)];
+      places.x[lane] = hits[i].place.x(), places.y[lane] = hits[i].place.y();
+      for (int axis = 0; axis < 3; ++axis) {
+        places.normal[axis][lane] = hits[i].normal[axis];
+        places.sight[axis][lane] = rays[i].direction[axis];
+      }
+      places.footprint[lane] = footprint(rays[i], hits[i]);
+    }
+    ripples_.look(places, time, looks, here);
+    for (std::size_t lane = 0; lane < here; ++lane) s.looks[s.water[from + lane]] = looks[lane];
+  }
+}
+
 void Shader::castMirrored(const Caster& caster, const Ray* rays, const Hit* hits, std::size_t count,
                           double time, Scratch& s) const {
-  s.looks.resize(count), s.mirrored.resize(count), s.rays.clear(), s.pixels.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!isWater(hits[i])) continue;
-    s.looks[i] = lookOf(rays[i], hits[i], time);
+  s.looks.resize(count), s.mirrored.resize(count), s.rays.clear(), s.pixels.clear(), s.water.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    if (isWater(hits[i])) s.water.push_back(i);
+  lookAtWater(rays, hits, time, s);
+  for (const std::size_t i : s.water) {
     const Eigen::Vector3f& towards = s.looks[i].mirrored;
     s.mirrored[i] = sky_.radiance(towards);
     if (!reflections_ || hits[i].range > kMirrorReach) continue;

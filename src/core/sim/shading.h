@@ -16,7 +16,8 @@ class Shader {
     std::vector<Ray> rays;
     std::vector<Hit> hits;
     std::vector<std::size_t> pixels;
-    std::vector<WaterLook> looks;           // of pixels that show water
+    std::vector<std::size_t> water;         // pixels that show it
+    std::vector<WaterLook> looks;           // of these
     std::vector<Eigen::Vector3f> mirrored;  // light that comes from there
     std::vector<char> lit;
     std::unique_ptr<bool[]> blocked;
@@ -38,7 +39,7 @@ class Shader {
                    Scratch& scratch) const;
   void castMirrored(const Caster& caster, const Ray* rays, const Hit* hits, std::size_t count, double time,
                     Scratch& scratch) const;
-  WaterLook lookOf(const Ray& ray, const Hit& hit, double time) const;
+  void lookAtWater(const Ray* rays, const Hit* hits, double time, Scratch& scratch) const;
   Eigen::Vector3f surface(const Ray& ray, const Hit& hit, bool lit) const;
   Eigen::Vector3f waterSurface(const Hit& hit, bool lit, const WaterLook& look,
                                const Eigen::Vector3f& mirrored) const;
@@ -50,7 +51,7 @@ class Shader {
   bool water_, reflections_;
   float pixel_angle_;
   float visibility_;  // [m]
-  Eigen::Vector3f bounce_;
+  Eigen::Vector3f bounce_, below_;  // light from the ground, and out of water
 };
 
 }  // namespace field_fusion::core::sim

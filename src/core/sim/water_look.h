@@ -1,8 +1,8 @@
 #pragma once
 // Colour of water: it mirrors the sky and the sun with waves of its own, too small to be in the world.
-#include <array>
+#include <Eigen/Core>
 
-#include "sky.h"
+#include "field_fusion/core/sim/lanes.h"
 
 namespace field_fusion::core::sim {
 
@@ -13,19 +13,36 @@ struct WaterLook {
   float glitter = 0.f;       ///< radiance of the sun in it over the sun's on a white sheet
 };
 
+/// Eight places on the water and the lines along which they are seen.
+struct WaterPlaces {
+  Lanes<float> x, y;                  ///< [m]
+  Lanes<float> normal[3], sight[3];   ///< unit vectors: of the waves in the world, from the eye
+  Lanes<float> footprint;             ///< [m] that a pixel covers: waves below it are roughness, no shapes
+};
+
 class Ripples {
  public:
-  Ripples();
+  explicit Ripples(const Eigen::Vector3f& to_sun);
 
-  /// `footprint` [m] is what a pixel covers: waves below it are no shapes any more but roughness.
-  WaterLook look(const Eigen::Vector3f& place, const Eigen::Vector3f& normal,
-                 const Eigen::Vector3f& direction, const Eigen::Vector3f& to_sun, double time,
-                 float footprint) const;
+  /// Of the first `count` places.
+  void look(const WaterPlaces& places, double time, WaterLook* out, std::size_t count) const;
 
  private:
   static constexpr int kWaves = 12;
-  using Waves = Eigen::Array<float, kWaves, 1>;
-  Waves kx_, ky_, omega_, phase_, length_;
+
+  struct Wave {
+    float kx, ky, omega, phase;  // [rad/m], [rad/s], [rad]
+    float ahead_x, ahead_y;      // unit vector that it runs along
+    float length;                // [m]
+  };
+  struct Shape;  // of the surface
+  struct Light;
+  void shape(const WaterPlaces& places, double time, Shape& s) const;
+  void light(const WaterPlaces& places, const Shape& s, Light& l) const;
+  void lookAt(const WaterPlaces& places, double time, Light& l) const;
+
+  float to_sun_[3];
+  Wave waves_[kWaves];
 };
 
 }  // namespace field_fusion::core::sim

@@ -173,7 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"name: a\nbodys: []\n", "2: bodys: unknown key (did you mean bodies?)"},
         Fault{"name: a\nname: b\n", "2: name is there twice"},
-        Fault{"light: {zenith: [0, 0, 0]}\n", "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
+        Fault{"light: {zenith: [0, 0, 0]}\n",
+              "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
         Fault{"bodies:\n - {name: a, shape: stool, pose: [0, 0],\n    materials: {hull: {gloss: 1}}}\n",
               "3: bodies[0].materials.hull: no part is that; there are: seat leg"},
         Fault{"bodies:\n - {name: a, shape: bxo, pose: [0, 0]}\n",

@@ -27,6 +27,7 @@ struct GroundParams {
   double min_confidence = 0.5;
   int tries = 3000;
   bool drop_below = false;
+  double bright = 0.0;
   int seed = 1;
 
   void declare(Params& p) {
@@ -55,6 +56,9 @@ struct GroundParams {
     p.number("tries", tries, {10, 100000}, "", When::kLive, "Most triples of points that are tried.");
     p.flag("drop_below", drop_below, When::kLive,
            "Drop points below the ground (mirror images in wet roads); else they stay as obstacles.");
+    p.number("bright", bright, {0.0, 1e5}, "", When::kLive,
+             "A point near the ground of at least this intensity, and more than twice as bright as the ground "
+             "would be if hit squarely, is a body, such as a float on water; 0: none is.");
     p.number("seed", seed, {0, 1000000}, "", When::kLive,
              "Of the random choice; the same input gives the same plane.");
   }
@@ -92,6 +96,9 @@ struct Ground {
 };
 
 /// Finds the ground plane of each cloud; remembers the last height for max_height_change. Keeps its buffers.
+///
+/// Water sends nearly nothing back, so that what floats on it, however low, is told by its brightness where
+/// `bright` is set. The ground's own is the median of intensity over the sine of the grazing angle.
 class GroundFinder {
  public:
   /// Throws std::invalid_argument with every fault of the parameters.
@@ -112,14 +119,17 @@ class GroundFinder {
   void refine(const Cloud& cloud, const Eigen::Vector3d& up, Ground& result) const;
   void count(const Cloud& cloud, Ground& result) const;
   void measure(const Cloud& cloud, const Ground& result);
-  void split(const Cloud& cloud, Cloud& ground, Cloud& obstacles) const;
+  void split(const Cloud& cloud, double brightest, Cloud& ground, Cloud& obstacles) const;
   GroundFault judge(Plane& plane, const Eigen::Vector3d& up) const;
   GroundFault faultOfBest(const Eigen::Vector3d& up);
 
   GroundParams params_;
+  double brightest(const Cloud& cloud, const Ground& result);
+
   PlaneSearch search_;
   GroundSurface surface_;
   std::vector<std::uint32_t> usable_;
+  std::vector<float> shades_;
   std::vector<double> heights_;  // [m] above the ground of each usable point; NaN without a plane
   double last_stamp_ = kNaN, last_height_ = kNaN;
 };

@@ -1,5 +1,6 @@
 #pragma once
 // A detection as its camera sees it and as the LiDAR would.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct CameraTarget {
   Polar polar{kNaN, kNaN, kNaN};  ///< of the position from the LiDAR; without range, angles of the direction
   Polar seen{kNaN, kNaN, kNaN};   ///< from the camera, in its view frame
   ViewBox box;
+  std::uint8_t cut = 0;           ///< Cut bits of the box
 };
 
 /// The detections of one camera of about the time of the clusters.

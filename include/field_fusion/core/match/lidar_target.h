@@ -7,13 +7,25 @@
 
 namespace field_fusion::core {
 
-/// A cluster or, where several detections share one, a part of it.
+/// A cluster, a part of one that several detections share, or several that are pieces of one body.
 struct LidarTarget {
-  Cluster cluster;                     ///< of the part alone; its `points` have no meaning then
-  int place = -1;                      ///< of the whole in the list of clusters
+  Cluster cluster;                     ///< of the part or of the pieces together; its `points` are void then
+  int place = -1;                      ///< of the whole, or of the main piece, in the list of clusters
   int part = 0;                        ///< 0: the whole; 1, 2, ...: a part of it
-  std::vector<std::uint32_t> members;  ///< of a part: places of its points among those of all clusters
+  std::vector<std::uint32_t> members;  ///< unless a whole cluster: places of its points among those of all
+  std::vector<int> joined{};           ///< places of the pieces beside the main one
 };
+
+/// Calls `use` with the place of each point among those of all clusters.
+template <class Use>
+void forEachPoint(const LidarTarget& body, const Use& use) {
+  for (const std::uint32_t i : body.members) use(i);
+  if (!body.members.empty()) return;
+  for (std::uint32_t i = 0; i < body.cluster.points.count; ++i) use(body.cluster.points.first + i);
+}
+
+/// Fills in `cluster` from the points of `members`, one at least; the oriented box only with a fitter.
+void describeMembers(LidarTarget& body, const std::vector<Point>& points, OrientedBoxFitter* fitter);
 
 /// A cluster seen from a camera, in the view frame.
 struct Sight {

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "field_fusion/core/base/params.h"
+#include "field_fusion/core/match/join.h"
 #include "field_fusion/core/match/obstacle.h"
 #include "field_fusion/core/match/optimal.h"
+#include "field_fusion/core/match/outline.h"
 #include "field_fusion/core/match/split.h"
 #include "field_fusion/core/match/sync.h"
 #include "field_fusion/core/match/tolerance.h"
@@ -18,6 +20,7 @@ struct MatchParams {
   MatchMethod method = MatchMethod::kOptimal;
   GateParams gate;
   SplitParams split;
+  ShapeParams shape;
   ToleranceParams tolerance;
   ObstacleParams obstacle;
   SyncParams sync;
@@ -30,6 +33,7 @@ struct MatchParams {
         "and elevation. paper: tolerances on range and azimuth (paper 001).");
     gate.declare(p);
     split.declare(p);
+    shape.declare(p);
     tolerance.declare(p);
     obstacle.declare(p);
     sync.declare(p);
@@ -45,9 +49,13 @@ class Matcher {
   explicit Matcher(const MatchParams& params = {}) { setParams(params); }
   void setParams(const MatchParams& params);
 
-  /// First one obstacle for each cluster, or for each part of one that was split, then one for each faint
-  /// cluster that a camera claims, then those that cameras alone saw, in their order. `points` are those of all clusters; `views` holds each camera, empty where it
-  /// has not answered. Where none has, all are kNoPartnerMessage.
+  /// First one obstacle for each cluster, for each part of one that was split or for all pieces of one body,
+  /// then one for each faint cluster that a camera claims, then those that cameras alone saw, in their order.
+  /// `points` are those of all clusters; `views` holds each camera, empty where it has not answered. Where none
+  /// has, all are kNoPartnerMessage.
+  ///
+  /// The paper's method takes clusters as they are and their boxes' centres for the bodies'. `optimal` joins and
+  /// splits them by the cameras' boxes, and completes bodies whose class has a known size.
   ///
   /// Each camera is matched on its own. Of several that see a body, the one with the least distance names it;
   /// of several that alone see what may be one body by the gate, the one that knows its place best.
@@ -60,15 +68,18 @@ class Matcher {
  private:
   const Verdicts& judge(const CameraView& view);
   void claimFaint(const std::vector<Cluster>& clusters, const CameraView& view, Verdicts& verdicts);
-  void addBodies(const std::vector<std::optional<CameraView>>& views);
+  void addBodies(const std::vector<Point>& points, const std::vector<std::optional<CameraView>>& views);
   void addCameraOnly(int camera, const CameraView& view, const std::vector<Verdict>& verdicts);
 
   MatchParams params_;
+  Joiner joiner_;
   Splitter splitter_;
+  OutlineFitter outline_;
   OptimalMatcher optimal_;
   ToleranceMatcher tolerance_;
   double margin_ = 0.0;  // [rad] by which a box may be off
   std::vector<LidarTarget> bodies_, faint_;
+  std::vector<Point> seen_points_;
   CameraView unmatched_;
   std::vector<int> unmatched_place_;  // of each in its camera's view
   std::vector<Polar> lidar_, camera_;

@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
 #include "field_fusion/core/match/camera_target.h"
 #include "field_fusion/core/match/lidar_target.h"
+#include "field_fusion/core/match/outline.h"
 #include "field_fusion/core/match/verdict.h"
 
 namespace field_fusion::core {
@@ -40,12 +42,14 @@ enum class ObstacleSource : std::uint8_t { kLidar = 1, kCamera = 2, kBoth = 3 };
 struct Obstacle {
   int cluster = -1;    ///< place of the cluster, -1: none
   int part = 0;        ///< of the cluster; 0: the whole, 1, 2, ...: a part
+  std::vector<int> joined;  ///< places of further clusters that belong to it
   int camera = -1;     ///< place of the camera that the detection is of, -1: none
   int detection = -1;  ///< CameraTarget::id, -1: none
   ObstacleSource source = ObstacleSource::kLidar;
   Eigen::Vector3d position;         ///< [m] centre of the body
   Eigen::Matrix3d covariance;       ///< [m^2] of position; symmetric and positive definite, or all NaN
   Eigen::Vector3d size;             ///< [m] axis-aligned extent
+  Eigen::Vector3d face;             ///< [m] its point that is nearest to the LiDAR
   double existence = 0.0;           ///< 0..1
   std::string label;                ///< class, empty: unknown
   double label_probability = kNaN;  ///< 0..1
@@ -66,5 +70,8 @@ Obstacle cameraObstacle(int camera, const CameraTarget& target, const Verdict& v
 /// section VI). The two exist independently of one another: 1 - (1 - p)(1 - q).
 Obstacle matchedObstacle(const LidarTarget& body, int camera, const CameraTarget& target,
                          const Verdict& verdict, const ObstacleParams& params);
+
+/// Puts the whole body in the place of what is seen of it.
+void complete(Obstacle& obstacle, const Outline& outline);
 
 }  // namespace field_fusion::core

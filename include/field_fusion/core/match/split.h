@@ -27,7 +27,7 @@ struct SplitParams {
 /// is; a box that fails is left out and the others are tried again. A rest with too few points goes to the
 /// nearest parts. One box alone splits a body more than twice as wide as the box, such as a wall with a
 /// person before it, where the rest has points enough. Of more than 16 boxes those with the highest scores
-/// are tried.
+/// are tried. What was joined by a box is not split.
 ///
 /// Boxes that overlap by more than 30 % of the smaller are two opinions of one body (car and truck, rider and
 /// bicycle): of such only the one with the highest score counts.
@@ -52,7 +52,6 @@ class Splitter {
              std::vector<const CameraTarget*> boxes);
   void deal(const LidarTarget& body, const std::vector<Point>& points, const Transform& T_view_lidar,
             bool with_rest);
-  void measure(LidarTarget& part, const std::vector<Point>& points, bool oriented);
   const CameraTarget* failing(const Transform& T_view_lidar) const;
 
   Gate gate_;
@@ -61,7 +60,6 @@ class Splitter {
   OrientedBoxFitter box_fitter_;
   std::vector<std::vector<const CameraTarget*>> sharers_;  // of each body
   std::vector<Part> parts_;
-  std::vector<Point> gathered_;
   std::vector<LidarTarget> result_;
 };
 

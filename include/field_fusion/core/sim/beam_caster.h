@@ -2,6 +2,7 @@
 // Fires a grid of LiDAR beams, each at its own time and place and with a spot of its own size.
 #include "field_fusion/core/sim/lidar_noise.h"
 #include "field_fusion/core/sim/pose_track.h"
+#include "field_fusion/core/sim/workers.h"
 
 namespace field_fusion::core::sim {
 
@@ -40,8 +41,15 @@ class BeamCaster {
     std::uint64_t seed;
   };
   Ray middleRay(const Scan& scan, std::size_t beam) const;
+  /// Of one worker: beams that wait for their rims.
+  struct Waiting {
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<std::size_t> beams;
+  };
   void castMiddles(const Scan& scan, std::size_t first, std::size_t last);
-  void castRims(const Scan& scan, std::size_t first, std::size_t last);
+  void castRims(const Scan& scan, std::size_t first, std::size_t last, Waiting& waiting);
+  void flush(const Scan& scan, Waiting& waiting);
   void addRims(const Scan& scan, std::size_t beam, std::vector<Ray>& rays) const;
   bool atEdge(std::size_t beam) const;
   bool sameSurface(std::size_t beam, const Eigen::Vector3f& direction, const Hit& hit) const;
@@ -52,6 +60,8 @@ class BeamCaster {
   LidarNoise noise_;
   std::uint64_t seed_;
   double duration_;
+  Workers workers_;
+  std::vector<Waiting> waiting_;
   std::vector<Ray> middles_;
   std::vector<Hit> hits_;
   std::vector<BeamReturn> returns_;

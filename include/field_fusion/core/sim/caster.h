@@ -52,6 +52,8 @@ class Caster {
   void blocked(const Ray* rays, float distance, bool* results, std::size_t count, bool ground = true) const;
   /// [m] to a body, or Hit::kRobot, as if it were alone in the world; infinite: missed.
   float rangeTo(int body, const Ray& ray) const;
+  /// The same for many rays, eight at a time.
+  void rangesTo(int body, const Ray* rays, float* ranges, std::size_t count) const;
 
  private:
   struct Scene;

@@ -4,6 +4,7 @@
 #include "field_fusion/core/sim/beam_random.h"
 #include "field_fusion/core/sim/caster.h"
 #include "field_fusion/core/sim/pose_track.h"
+#include "field_fusion/core/sim/workers.h"
 
 namespace field_fusion::core::sim {
 
@@ -98,6 +99,7 @@ class DepthCamera {
 
   DepthCameraParams params_;
   std::uint64_t seed_;
+  Workers workers_;
   double scale_;
   DepthImage image_;
   DepthTruth truth_;

@@ -7,6 +7,7 @@
 #include "field_fusion/core/detect/image_box.h"
 #include "field_fusion/core/sim/caster.h"
 #include "field_fusion/core/sim/outline.h"
+#include "field_fusion/core/sim/workers.h"
 
 namespace field_fusion::core::sim {
 
@@ -28,7 +29,7 @@ class ImageTruth {
   /// (CV_32S). Pixels that do not show a body are cast at it alone, within the outline of its box. `time` is
   /// that of the picture, at which the caster's window must begin.
   std::vector<BodyView> views(const Caster& caster, const Transform& T_world_optical, double time,
-                              const cv::Mat& bodies, int threads) const;
+                              const cv::Mat& bodies, Workers& workers) const;
 
  private:
   const World& world_;

@@ -68,7 +68,7 @@ using Shape = std::variant<Mesh, Sphere, Cylinder>;
 struct Part {
   Shape shape;
   Material material;
-  std::string role;  ///< what it is in its body, such as "hull": a world can paint it by that name
+  std::string role{};  ///< what it is in its body, such as "hull": a world can paint it by that name
 };
 
 /// Swings about an axis: angle(t) = bias + amplitude sin(2 pi t / period + phase).

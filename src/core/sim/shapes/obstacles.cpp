@@ -17,13 +17,17 @@ struct ConeStyle {
 Model trafficCone(const ShapeParams& p, const ConeStyle& style) {
   const float r = 0.5f * of(p, "diameter"), h = of(p, "height"), base = std::min(0.03f, 0.2f * h);
   const float foot = 0.75f * r, tip = 0.12f * r;
-  const auto ring = [&](float share) { return Vector2f(foot + (tip - foot) * share, base + (h - base) * share); };
+  const auto ring = [&](float share) {
+    return Vector2f(foot + (tip - foot) * share, base + (h - base) * share);
+  };
   Builder builder;
   builder.use(style.round ? rubber() : plastic(style.colour), "base");
-  style.round ? builder.mesh(lathe({{r, 0}, {r, 0.7f * base}, {foot, base}})) : builder.box({-r, -r, 0}, {r, r, base});
+  style.round ? builder.mesh(lathe({{r, 0}, {r, 0.7f * base}, {foot, base}}))
+              : builder.box({-r, -r, 0}, {r, r, base});
   float below = 0.f;
   for (int i = 0; i < style.bands; ++i) {
-    const float low = 0.6f - 0.5f * style.band + 0.33f * (static_cast<float>(i) - 0.5f * static_cast<float>(style.bands - 1));
+    const float low = 0.6f - 0.5f * style.band +
+                      0.33f * (static_cast<float>(i) - 0.5f * static_cast<float>(style.bands - 1));
     builder.use(plastic(style.colour), "body").mesh(lathe({ring(below), ring(low)}));
     builder.use(matt(kWhite, 0.85f), "band").mesh(lathe({ring(low), ring(low + style.band)}));
     below = low + style.band;
@@ -98,7 +102,8 @@ ShapeKinds obstacleShapes() {
       {"red_cone",
        {"a red traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kRed}); }}},
       {"blue_cone",
-       {"a blue traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
+       {"a blue traffic cone on its base", cone,
+        [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
       {"plain_cone", {"a traffic cone; `round` 1: on a round base", road, roadCone<0>}},
       {"banded_cone", {"the same with a band of so much of its height", road, roadCone<1>}},
       {"road_cone", {"the same with two", road, roadCone<2>}},

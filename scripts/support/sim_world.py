@@ -1,0 +1,50 @@
+"""Worlds of the package, changed for an experiment and written where make_bag reads them."""
+import copy
+
+import yaml
+
+import stage_run
+
+# What makes a sensor's measurements wrong, by its kind (config/sensors/): noise and offsets.
+ERRORS = {
+    "lidar3d": ("range_noise", "range_noise_square", "range_noise_weak", "slant_noise", "range_bias", "range_scale",
+                "angle_noise"),
+    "camera": ("read_noise",),
+}
+LIMITS = {"slant_noise": 1.0, "range_scale": 0.1, "range_noise_weak": 1.0, "range_bias": 1.0, "angle_noise": 5.0}
+
+
+class BadDegrade(ValueError):
+    pass
+
+
+def shipped(name):
+    return yaml.safe_load((stage_run.package() / f"config/worlds/{name}.yaml").read_text())
+
+
+def degraded(world, factors):
+    """The world with the errors of its sensors multiplied, {name of the mount: factor}."""
+    world = copy.deepcopy(world)
+    mounts = {mount["name"]: mount for mount in world["robot"]["mounts"]}
+    for name, factor in factors.items():
+        if name not in mounts:
+            raise BadDegrade(f"no sensor {name}; there are {', '.join(sorted(mounts))}")
+        mount = mounts[name]
+        model = yaml.safe_load((stage_run.package() / f"config/sensors/{mount['model']}.yaml").read_text())
+        if model["kind"] not in ERRORS:
+            raise BadDegrade(f"the errors of a {model['kind']} such as {name} are not multiplied yet")
+        for key in ERRORS[model["kind"]]:
+            wrong = factor * float(mount.get(key, model[key]))
+            mount[key] = min(wrong, LIMITS.get(key, wrong))
+    return world
+
+
+def write(world, folder):
+    """Writes it below `folder`, beside the sensors that come with the package; the file."""
+    (folder / "worlds").mkdir(parents=True, exist_ok=True)
+    sensors = folder / "sensors"
+    if not sensors.exists():
+        sensors.symlink_to(stage_run.package() / "config/sensors")
+    file = folder / "worlds" / f"{world['name']}.yaml"
+    file.write_text(yaml.safe_dump(world))
+    return file

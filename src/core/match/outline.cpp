@@ -1,0 +1,99 @@
+#include "field_fusion/core/match/outline.h"
+
+#include <algorithm>
+
+#include "field_fusion/core/detect/image_box.h"
+#include "field_fusion/core/match/box_fit.h"
+
+namespace field_fusion::core {
+namespace {
+
+struct Span {
+  double low = kNaN, high = kNaN;
+};
+
+Span heightsOf(const std::vector<Point>& points) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                               [](const Point& a, const Point& b) { return a.z < b.z; });
+  return {low->z, high->z};
+}
+
+/// Height at which a line of sight, up by the tangent `edge` in the view frame, passes a body that is seen in
+/// the middle of the box. `upper`: the edge above which there is nothing of it.
+double heightAt(double edge, bool upper, const CameraTarget& target, const Transform& T_lidar_view,
+                const Eigen::Vector2d& centre, double half_depth) {
+  const double aside = 0.5 * (target.box.left + target.box.right);
+  const Eigen::Vector3d ray = T_lidar_view.linear() * Eigen::Vector3d(1.0, aside, edge);
+  const Eigen::Vector3d camera = T_lidar_view.translation();
+  const double slope = ray.z() / ray.head<2>().norm(), away = (centre - camera.head<2>()).norm();
+  const bool near_side = (slope > 0.0) == upper;
+  return camera.z() + slope * std::max(0.0, away + (near_side ? -half_depth : half_depth));
+}
+
+/// As the camera sees it where it can, else what the points span.
+Span heightsOf(const std::vector<Point>& points, const CameraTarget& target, const Transform& T_lidar_view,
+               const Eigen::Vector2d& centre, double half_depth) {
+  Span span = heightsOf(points);
+  if (!target.box.known() || !T_lidar_view.matrix().allFinite()) return span;
+  Span seen = span;
+  if (!(target.cut & kCutTop))
+    seen.high = heightAt(target.box.top, true, target, T_lidar_view, centre, half_depth);
+  if (!(target.cut & kCutBottom))
+    seen.low = heightAt(target.box.bottom, false, target, T_lidar_view, centre, half_depth);
+  return seen.low < seen.high ? seen : span;
+}
+
+/// Of an upright body whose foot on the plane nearest to the origin is known.
+Eigen::Vector3d nearestOf(const Eigen::Vector2d& foot, const Span& span) {
+  return {foot.x(), foot.y(), std::clamp(0.0, span.low, span.high)};
+}
+
+Eigen::Vector2d nearestOf(const BoxFit& box) {
+  const Eigen::Rotation2Dd turn(box.yaw);
+  const Eigen::Vector2d origin = turn.inverse() * -box.centre, half = 0.5 * box.size;
+  return box.centre + turn * origin.cwiseMax(-half).cwiseMin(half);
+}
+
+Outline outlineOf(const Eigen::Vector2d& centre, const Eigen::Matrix2d& covariance,
+                  const Eigen::Vector2d& size, const Eigen::Vector2d& foot, const Span& span, double noise) {
+  Outline out;
+  out.centre << centre, 0.5 * (span.low + span.high);
+  out.size << size, span.high - span.low;
+  out.covariance.setZero();
+  out.covariance.topLeftCorner<2, 2>() = 0.5 * (covariance + covariance.transpose());
+  out.covariance(2, 2) = noise * noise + out.size.z() * out.size.z() / 12.0;
+  out.face = nearestOf(foot, span);
+  return out;
+}
+
+}  // namespace
+
+void OutlineFitter::setParams(const ShapeParams& params, double noise) {
+  params_ = params;
+  noise_ = noise;
+}
+
+std::optional<Outline> OutlineFitter::run(const std::vector<Point>& seen, const CameraTarget& target,
+                                          const Transform& T_view_lidar) {
+  const ClassShape shape = shapeOf(target.label, params_);
+  if (!shape.isKnown() || seen.empty()) return std::nullopt;
+  const Transform T_lidar_view = T_view_lidar.inverse();
+  if (shape.isRound()) {
+    const RoundFit fit =
+        round_.fit(seen, {0.5 * shape.diameter, 0.5 * shape.net, params_.size_spread, noise_});
+    if (!fit.centre.allFinite()) return std::nullopt;
+    const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
+    const double away = std::max(0.0, fit.centre.norm() - fit.radius);
+    const Eigen::Vector2d foot = away * fit.centre.normalized();
+    return outlineOf(fit.centre, fit.covariance, Eigen::Vector2d::Constant(2.0 * fit.radius), foot, span,
+                     noise_);
+  }
+  const BoxFit fit = completed(box_.fit(seen.data(), seen.size()), shape, params_.size_spread, noise_);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(fit.yaw).toRotationMatrix();
+  const Eigen::Vector2d sight = fit.centre.normalized();
+  const double half_depth = 0.5 * (sight.transpose() * turn * fit.size.asDiagonal()).cwiseAbs().sum();
+  const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, half_depth);
+  return outlineOf(fit.centre, fit.covariance, turn.cwiseAbs() * fit.size, nearestOf(fit), span, noise_);
+}
+
+}  // namespace field_fusion::core
