@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""A sheet of labelled pictures to look at: models/show_dataset.py DATASET SHEET.jpg [--set train] [--rows 3] [--columns 4]"""
+"""A sheet of labelled pictures to look at.
+
+  models/show_dataset.py DATASET SHEET.jpg [--set train] [--rows 3] [--columns 4]
+"""
 import argparse
 import pathlib
 import sys
@@ -22,14 +25,15 @@ def tile(picture, names):
         x, y, w, h = (float(number) * size for number, size in zip(box, (width, height, width, height)))
         low = (int(x - w / 2), int(y - h / 2))
         cv2.rectangle(image, low, (int(x + w / 2), int(y + h / 2)), (0, 255, 0), 1)
-        cv2.putText(image, names[int(kind)], (low[0], max(8, low[1] - 2)), cv2.FONT_HERSHEY_SIMPLEX, 0.32, (0, 255, 255), 1, cv2.LINE_AA)
+        cv2.putText(image, names[int(kind)], (low[0], max(8, low[1] - 2)), cv2.FONT_HERSHEY_SIMPLEX, 0.32, (0, 255, 255), 1,
+                    cv2.LINE_AA)
     framed = numpy.zeros((TILE[1], TILE[0], 3), numpy.uint8)
     framed[:height, (TILE[0] - width) // 2:(TILE[0] + width) // 2] = image
     return framed
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("dataset", type=pathlib.Path)
     parser.add_argument("sheet")
     parser.add_argument("--set", default="train")
