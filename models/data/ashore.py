@@ -61,10 +61,10 @@ def person(draw):
     tone = draw.number(0.25, 1.0)
     paints = {"skin": {"colour": [round(tone * c, 3) for c in (0.62, 0.36, 0.25)]}}
     for role, worn in (("shirt", True), ("trousers", True), ("shoes", True), ("hair", not params["helmet"]),
-                       ("hat", params["helmet"]), ("vest", params.get("vest")), ("coat", params.get("coat")),
+                       ("helmet", params["helmet"]), ("vest", params.get("vest")), ("coat", params.get("coat")),
                        ("pack", params.get("pack"))):
         if worn:
-            bright = role in ("vest", "hat") and draw.chance(0.7)
+            bright = role in ("vest", "helmet") and draw.chance(0.7)
             colour = draw.colour((0.8, 1), (0.8, 1), (0.05, 0.25)) if bright else draw.colour((0.1, 0.9))
             paints[role] = draw.material(colour, (0.05, 0.3), 0.5)
     return shaped("person", params, materials=paints)
