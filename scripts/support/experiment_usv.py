@@ -9,8 +9,8 @@ import usv_positions
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
 PARTS = ("table1", "far", "harbour")
+HARBOUR = {"match": {"class_diameters": {"cage": 4.5}, "class_nets": {"cage": 3.9}, "size_spread": 0.2}}  # as the user knows them
 MODEL = "models/usv.onnx"
-HEIGHTS = {"cage": 0.8, "boat": 2.4, "buoy": 1.6, "person": 1.75}
 
 
 def options(parser):
@@ -41,4 +41,4 @@ def run(experiment):
         if part.name in given.parts:
             yield from usv_positions.run(experiment, METHODS, part)
     if "harbour" in given.parts:
-        yield from usv_harbour.report(usv_harbour.run(experiment, METHODS, HEIGHTS, {}))
+        yield from usv_harbour.report(usv_harbour.run(experiment, METHODS, HARBOUR))

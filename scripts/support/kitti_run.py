@@ -42,8 +42,10 @@ def play(session, recording, folder, model=None, rate=10.0, every=1, also=None):
     if not model:
         frames = [(stamp, {topic: messages[topic] for topic in messages.keys() & {"/points", "/tf_static"}})
                   for stamp, messages in frames]
+    robot = folder / "robot.yaml"
+    stage_run.patient_robot(robot, bool(model))
     stages = session.launch(stage_run.package() / "launch/usv.launch", "rviz:=false", f"model:={model or ''}",
-                            f"robot:={stage_run.patient_robot(folder / 'robot.yaml', bool(model))}")
+                            f"robot:={robot}")
     inputs = {topic: type(frames[0][1][topic]) for topic in TOPICS if topic in frames[0][1]}
     answers = {"/obstacles": ObstacleArray, "/clusters": ClusterArray, **(also or {})}
     steps = LockStep(inputs, static, answers)

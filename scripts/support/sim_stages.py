@@ -27,10 +27,12 @@ class Stages:
     parameters and `changes` {stage: {parameter: value}}. The first of them has the detector, of the ONNX file `model`;
     without one the truth stands in. The process must have a node in `session`."""
 
-    def __init__(self, session, folder, methods, changes, model, heights):
-        self.session, self.methods, self.model, self.heights = session, list(methods), model, heights
+    def __init__(self, session, folder, methods, changes, model):
+        self.session, self.methods, self.model = session, list(methods), model
         self.bags, self.steps = 0, None
-        robot = stage_run.patient_robot(folder / "robot.yaml", True, changes)
+        robot = folder / "robot.yaml"
+        wrote = stage_run.patient_robot(robot, True, changes)
+        self.detect = {**stage_run.defaults("detect"), **wrote.get("detect", {})}
         self.launches = [self._launch(name, method, robot, model if i == 0 else None)
                          for i, (name, method) in enumerate(methods.items())]
 
@@ -61,7 +63,7 @@ class Stages:
     def _answer(self, frame):
         inputs = dict(frame.inputs)
         if not self.model:
-            inputs["/detections"] = stand_in.seen(frame.detections, frame.inputs["/camera/camera_info"], self.heights)
+            inputs["/detections"] = stand_in.seen(frame.detections, frame.inputs["/camera/camera_info"], self.detect)
         stamps = {topic: inputs["/camera/image_raw"].header.stamp if topic == "/detections" else frame.stamp
                   for topic in self.steps.answers}
         answer = self.steps.answer(inputs, stamps, stage_run.PATIENCE)

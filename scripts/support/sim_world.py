@@ -13,6 +13,8 @@ ERRORS = {
 }
 LIMITS = {"slant_noise": 1.0, "range_scale": 0.1, "range_noise_weak": 1.0, "range_bias": 1.0, "angle_noise": 5.0}
 
+MOUNT_ERROR, CLOCK_ERROR = {"angle_deg": 0.2, "place": 0.005}, 0.002  # of a mount that says nothing: deg, m, s
+
 
 class BadDegrade(ValueError):
     pass
@@ -33,6 +35,9 @@ def degraded(world, factors):
         model = yaml.safe_load((stage_run.package() / f"config/sensors/{mount['model']}.yaml").read_text())
         if model["kind"] not in ERRORS:
             raise BadDegrade(f"the errors of a {model['kind']} such as {name} are not multiplied yet")
+        wrong = {**MOUNT_ERROR, **mount.get("mount_error", {})}
+        mount["mount_error"] = {key: factor * value for key, value in wrong.items()}
+        mount["clock_error"] = factor * mount.get("clock_error", CLOCK_ERROR)
         for key in ERRORS[model["kind"]]:
             wrong = factor * float(mount.get(key, model[key]))
             mount[key] = min(wrong, LIMITS.get(key, wrong))

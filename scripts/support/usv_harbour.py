@@ -147,9 +147,9 @@ def tell(scene, answer, tallies):
     tallies["lidar_only"].bodies(scene, [(scene.body_of_points(points), "") for points in clusters.arrays])
 
 
-def run(experiment, methods, heights, changes):
+def run(experiment, methods, changes):
     """{system: [[Tally of each stretch] of each seed]}."""
-    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model, heights)
+    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model)
     seconds = QUICK_SECONDS if experiment.quick else SECONDS
     tallies = {system: [] for system in SYSTEMS}
     for seed in experiment.seeds:
@@ -178,9 +178,9 @@ def report(tallies):
     for system, seeds in tallies.items():
         cells = []
         for name in RATES:
-            values = [rate(stretches, name) for stretches in seeds]
+            values = [value for value in (rate(stretches, name) for stretches in seeds) if not math.isnan(value)]
             spread = statistics.stdev(values) if len(values) > 1 else math.nan
-            cells.append("-".rjust(17) if math.isnan(values[0]) else f"{statistics.fmean(values):8.3f} +- {spread:5.3f}")
+            cells.append(f"{statistics.fmean(values):8.3f} +- {spread:5.3f}" if values else "-".rjust(17))
         yield f"{system:12} " + " ".join(cells)
     for system, seeds in tallies.items():
         stretches = [tally for seed in seeds for tally in seed]

@@ -119,13 +119,13 @@ FURTHER = Part("far", tuple(range(FAR)), (2, 9, 16, 23, 29), far_world, {"diamet
 
 def run(experiment, methods, part):
     sizes = {"class_diameters": {"cage": part.cage["diameter"]}, "class_nets": {"cage": part.cage["net"]}}
-    heights = {"cage": part.cage["height"]}
-    changes = {"match": sizes, "detect": {"class_heights": heights}}
-    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model, heights)
+    changes = {"match": sizes, "detect": {"class_heights": {"cage": part.cage["height"]}}}
+    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model)
     rows = []
     for seed in experiment.seeds:
         for place in part.quick if experiment.quick else part.places:
-            bag = experiment.bag(part.world(place, seed), SECONDS, seed)
+            # sizes and mounts are drawn anew at each place: ten cages tell more than one
+            bag = experiment.bag(part.world(place, seed), SECONDS, 100 * seed + part.places.index(place))
             rows.append(row(place, seed, stages.play(bag)))
             experiment.done(bag)
             r=rows[-1]

@@ -212,6 +212,12 @@ INSTANTIATE_TEST_SUITE_P(
               "1: robot.mounts[0].gyro_nose: no parameter of imu_a (did you mean gyro_noise?)"},
         Fault{"robot:\n pose: [0, 0]\n mounts:\n  - {name: a, model: imu_a}\n  - {name: a, model: scan_b}\n",
               "5: robot.mounts[1]: two sensors are named a"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: my imu, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: 'my imu' must be a letter, then letters, digits and _"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: 3a, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: '3a' must be a letter, then letters, digits and _"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: base, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: 'base' is taken"},
         Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0]}]}\n",
               "1: robot.mounts[0].pose: must be a list of 3 to 6 numbers"},
         Fault{

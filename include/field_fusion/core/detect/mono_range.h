@@ -8,16 +8,19 @@
 
 namespace field_fusion::core {
 
-/// Nominal heights of COCO's classes. Person, car and truck: the rounded means of KITTI's labels
+/// Nominal heights of COCO's classes and of those of the project's own detector. Person, car and truck: the rounded means of KITTI's labels
 /// (1.76, 1.53, 3.25 m; a person without shoes and backpack is nearer 1.7). Stop sign: the US
 /// standard R1-1, 30 in. The others: typical of the vehicle or animal as it stands; two-wheelers
-/// without rider, because COCO labels the rider as a person.
+/// without rider, because COCO labels the rider as a person; what floats, from the water on.
 struct RangeParams {
-  Table class_heights{{"person", 1.7}, {"bicycle", 1.1}, {"motorcycle", 1.2}, {"car", 1.5},   {"truck", 3.2},
-                      {"bus", 3.1},    {"train", 3.9},   {"boat", 2.5},       {"dog", 0.5},   {"horse", 1.7},
-                      {"cow", 1.5},    {"sheep", 0.8},   {"stop sign", 0.76}, {"bench", 0.85}};
+  Table class_heights{{"person", 1.7}, {"bicycle", 1.1}, {"motorcycle", 1.2}, {"car", 1.5},
+                      {"truck", 3.2},  {"bus", 3.1},     {"train", 3.9},      {"boat", 2.5},
+                      {"dog", 0.5},    {"horse", 1.7},   {"cow", 1.5},        {"sheep", 0.8},
+                      {"stop sign", 0.76}, {"bench", 0.85}, {"cage", 1.0},    {"buoy", 1.6},
+                      {"bollard", 0.5}, {"balloon_car", 1.35}, {"puppet", 1.5}, {"cone", 0.5},
+                      {"stool", 0.5},  {"chair", 0.95}};
   double height_spread = 0.1;
-  Table class_height_spreads{{"truck", 0.3}, {"boat", 0.6}, {"dog", 0.3}};
+  Table class_height_spreads{{"truck", 0.3}, {"boat", 0.6}, {"dog", 0.3}, {"buoy", 0.3}, {"cone", 0.3}};
   double box_pixel_error = 1.5;
   double plane_tilt_sigma = 0.5;
   double plane_height_sigma = 0.05;

@@ -37,7 +37,8 @@ Model trafficCone(const ShapeParams& p, const ConeStyle& style) {
 
 template <int kBands>
 Model roadCone(const ShapeParams& p) {
-  return trafficCone(p, {kOrange, kBands, std::clamp(of(p, "band"), 0.05f, 0.3f), of(p, "round") > 0.f});
+  return trafficCone(
+      p, {kOrange, kBands, kBands > 0 ? std::clamp(of(p, "band"), 0.05f, 0.3f) : 0.f, of(p, "round") > 0.f});
 }
 
 Model barrel(const ShapeParams& p) {
@@ -104,9 +105,12 @@ ShapeKinds obstacleShapes() {
       {"blue_cone",
        {"a blue traffic cone on its base", cone,
         [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
-      {"plain_cone", {"a traffic cone; `round` 1: on a round base", road, roadCone<0>}},
-      {"banded_cone", {"the same with a band of so much of its height", road, roadCone<1>}},
-      {"road_cone", {"the same with two", road, roadCone<2>}},
+      {"plain_cone",
+       {"a traffic cone; `round` 1: on a round base",
+        {{"diameter", 0.4}, {"height", 0.75}, {"round", 0}},
+        roadCone<0>}},
+      {"banded_cone", {"a traffic cone with a `band` of so much of its height", road, roadCone<1>}},
+      {"road_cone", {"a traffic cone with two bands", road, roadCone<2>}},
       {"barrel", {"a steel drum", {{"diameter", 0.58}, {"height", 0.88}}, barrel}},
       {"radiator", {"a panel radiator on feet", {{"length", 1}, {"width", 0.12}, {"height", 0.6}}, radiator}},
       {"distribution_box",

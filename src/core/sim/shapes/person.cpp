@@ -77,7 +77,7 @@ struct Figure {
   /// Hard, with a brim.
   void helmet() {
     const float head = 0.065f * h, z = h - head;
-    builder.use(plastic(kYellow), "hat");
+    builder.use(plastic(kYellow), "helmet");
     builder.mesh(lathe({{1.35f * head, z + 0.2f * head},
                         {1.1f * head, z + 0.3f * head},
                         {0.8f * head, z + 0.8f * head},
@@ -150,7 +150,8 @@ Model puppet(const ShapeParams& p) {
 ShapeKinds personShapes() {
   return {
       {"person",
-       {"a person who walks at `speed` [m/s], 0: stands; `vest`, `coat`, `helmet` and `pack` 1: wears that",
+       {"a person who walks at `speed` [m/s], 0: stands; `vest`, `coat`, `helmet` and `pack` 1: wears that, "
+        "a part of that name",
         {{"height", 1.75},
          {"width", 0.5},
          {"speed", 0},
