@@ -50,11 +50,12 @@ void measureBeams(Bench& bench, Lidar& lidar, const std::string& name, int beams
   bench::print("sim/beams/" + name, bench::medianFigure(rates), "million/s");
 }
 
-/// Faults that the model's file leaves out are on too.
+/// Of one thread, whose CPU time it is. Faults that the model's file leaves out are on too.
 void beams(const std::string& name, const std::string& mount, const std::string& model) {
   Bench bench(name, mount);
   const std::string other = model.empty() ? bench.mount.model : model;
-  const Overrides faults = {{"fault_rate", "0.001"},
+  const Overrides faults = {{"threads", "1"},
+                            {"fault_rate", "0.001"},
                             {"range_noise_weak", "0.01"},
                             {"range_scale", "0.001"},
                             {"angle_noise", "0.02"}};

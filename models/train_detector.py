@@ -44,7 +44,7 @@ def arguments():
                             ("batch", "images a step"), ("seed", "of weights and samples"),
                             ("mosaic", "share of samples made of four images"),
                             ("plain", "last share of the training, without mosaics"),
-                            ("small", "first share of the training, on images of half the size"),
+                            ("cuttings", "first share of the training, on quarters of images around bodies"),
                             ("validate", "epochs from one validation to the next"), ("workers", "threads that make batches")):
         parser.add_argument(f"--{name}", type=type(default[name]), default=default[name],
                             help=f"{help_text}; {default[name]:g}")
@@ -58,12 +58,18 @@ def settings_of(args):
     return Settings(**chosen)
 
 
+def settings_from(saved, path):
+    names = {field.name for field in dataclasses.fields(Settings)}
+    if set(saved) != names:
+        raise CheckpointError(f"{path}: made by another version; they differ in {', '.join(sorted(names ^ set(saved)))}")
+    return Settings(**{**saved, "size": tuple(saved["size"])})
+
+
 def started(args):
     last, facts = pathlib.Path(args.out) / "last.pt", None
     if args.resume:
         facts, tensors = load(last, "state")
-        settings = Settings(**facts["settings"])
-        settings.size = tuple(settings.size)
+        settings = settings_from(facts["settings"], last)
     elif last.exists():
         raise CheckpointError(f"{last} exists: --resume goes on with it, another OUT begins anew")
     else:

@@ -61,10 +61,10 @@ def person(draw):
     tone = draw.number(0.25, 1.0)
     paints = {"skin": {"colour": [round(tone * c, 3) for c in (0.62, 0.36, 0.25)]}}
     for role, worn in (("shirt", True), ("trousers", True), ("shoes", True), ("hair", not params["helmet"]),
-                       ("hat", params["helmet"]), ("vest", params.get("vest")), ("coat", params.get("coat")),
+                       ("helmet", params["helmet"]), ("vest", params.get("vest")), ("coat", params.get("coat")),
                        ("pack", params.get("pack"))):
         if worn:
-            bright = role in ("vest", "hat") and draw.chance(0.7)
+            bright = role in ("vest", "helmet") and draw.chance(0.7)
             colour = draw.colour((0.8, 1), (0.8, 1), (0.05, 0.25)) if bright else draw.colour((0.1, 0.9))
             paints[role] = draw.material(colour, (0.05, 0.3), 0.5)
     return shaped("person", params, materials=paints)
@@ -91,7 +91,8 @@ def cone(draw):
     size = draw.spread(0.22, 0.5)
     params = {"diameter": size, "height": draw.near(1.7 * size, 0.25)}
     if shape in ("plain_cone", "banded_cone", "road_cone"):
-        params.update(band=draw.number(0.1, 0.28), round=int(draw.held_out))
+        params["round"], band = int(draw.held_out), draw.number(0.1, 0.28)
+        params.update({"band": band} if shape != "plain_cone" else {})
     colour = draw.colour((0.7, 0.95), (0.8, 1), (-0.03, 0.07)) if draw.chance(0.6) else draw.colour((0.4, 0.95), (0.5, 1))
     paints = {"body": draw.material(colour, plain=0.8), "base": draw.material(draw.like(colour) if draw.chance(0.5) else None)}
     return shaped(shape, params, materials=paints)

@@ -22,11 +22,14 @@ SKIES = {
 
 def sky_colours(draw, sky):
     if sky == "dusk":
-        return {"sun_colour": [1.0, draw.number(0.45, 0.7), draw.number(0.15, 0.4)], "zenith": draw.colour((0.45, 0.6), (0.4, 0.7), (0.6, 0.75)),
+        return {"sun_colour": [1.0, draw.number(0.45, 0.7), draw.number(0.15, 0.4)],
+                "zenith": draw.colour((0.45, 0.6), (0.4, 0.7), (0.6, 0.75)),
                 "horizon": draw.colour((0.85, 1), (0.25, 0.6), (0.02, 0.1))}
     if sky in ("grey", "fog", "storm"):
-        return {"zenith": draw.colour((0.55, 0.7), (0.05, 0.25), (0.5, 0.65)), "horizon": draw.colour((0.75, 0.95), (0, 0.12), (0.5, 0.65))}
-    return {"sun_colour": [1.0, draw.number(0.85, 1.0), draw.number(0.6, 0.9)], "zenith": draw.colour((0.6, 0.95), (0.4, 0.65), (0.56, 0.63)),
+        return {"zenith": draw.colour((0.55, 0.7), (0.05, 0.25), (0.5, 0.65)),
+                "horizon": draw.colour((0.75, 0.95), (0, 0.12), (0.5, 0.65))}
+    return {"sun_colour": [1.0, draw.number(0.85, 1.0), draw.number(0.6, 0.9)],
+            "zenith": draw.colour((0.6, 0.95), (0.4, 0.65), (0.56, 0.63)),
             "horizon": draw.colour((0.9, 1), (0.03, 0.25), (0.52, 0.62))}
 
 

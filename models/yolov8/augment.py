@@ -20,14 +20,7 @@ class Augmentation:
     hue: float = 0.015    # least and most factors are 1 -+ these
     saturation: float = 0.7
     value: float = 0.4
-    zoom: float = 1.0     # sides of the sample, of the input's
-
-    def size_of(self, size):
-        """Of the sample, for an input of `size` (width, height): multiples of the coarsest cell."""
-        return tuple(max(1, round(self.zoom * side / STRIDES[-1])) * STRIDES[-1] for side in size)
-
-    def scale_of(self, rng):
-        return self.zoom * rng.uniform(1 - self.scale, 1 + self.scale)
+    window: float = 1.0   # below 1: cuttings with sides of this share of the input's, around a body
 
 
 def letterboxed(sample, size):
@@ -74,9 +67,9 @@ def mosaic(samples, size, settings, rng):
     """Four images around a random point, seen through a window of random scale."""
     width, height = size
     canvas = np.full((height, width, 3), GREY, np.uint8)
-    scale = settings.scale_of(rng)
+    scale = rng.uniform(1 - settings.scale, 1 + settings.scale)
     # where the four meet: off the window's middle by up to half an image, and shifted
-    off = rng.uniform(-0.5, 0.5, 2) * scale / settings.zoom + rng.uniform(-settings.shift, settings.shift, 2)
+    off = rng.uniform(-0.5, 0.5, 2) * scale + rng.uniform(-settings.shift, settings.shift, 2)
     x, y = np.array(size) * (0.5 + off)
     boxes, classes = [], []
     for index, sample in enumerate(samples):
@@ -94,10 +87,30 @@ def shifted(sample, size, settings, rng):
     """One image at a random scale and place."""
     width, height = size
     canvas = np.full((height, width, 3), GREY, np.uint8)
-    scale = settings.scale_of(rng)
+    scale = rng.uniform(1 - settings.scale, 1 + settings.scale)
     h, w = np.array(sample.image.shape[:2]) * scale
     x, y = rng.uniform(-settings.shift, settings.shift, 2) * size
     boxes, classes = paste(canvas, sample, scale, (width - w) / 2 + x, (height - h) / 2 + y, (0, 0, width, height))
+    return Sample(canvas, boxes, classes)
+
+
+def cutting(sample, size, settings, rng):
+    """A part of one image, around one of its bodies: most of what there is to learn, for a part of the pixels."""
+    width, height = np.array(size) * settings.window // STRIDES[-1] * STRIDES[-1]
+    window = np.maximum([width, height], STRIDES[-1]).astype(int)
+    canvas = np.full((window[1], window[0], 3), GREY, np.uint8)
+    # from the scale at which the whole image fits to somewhat more than its own
+    scale = np.exp(rng.uniform(np.log(settings.window), np.log(1.25)))
+    extent = np.array(sample.image.shape[1::-1]) * scale
+    if len(sample.boxes):
+        box = sample.boxes[rng.integers(len(sample.boxes))]
+        middle = (box[:2] + box[2:]) / 2 * scale
+    else:
+        middle = rng.uniform(0, 1, 2) * extent
+    corner = window / 2 - middle + rng.uniform(-0.4, 0.4, 2) * window
+    free = window - extent  # where the image is larger than the window it fills it, else it lies within
+    corner = np.clip(corner, np.minimum(free, 0), np.maximum(free, 0))
+    boxes, classes = paste(canvas, sample, scale, *corner, (0, 0, *window))
     return Sample(canvas, boxes, classes)
 
 
@@ -117,12 +130,13 @@ def recoloured(image, settings, rng):
 
 def augmented(dataset, index, settings, rng):
     """The training sample that `rng` makes of this image, and for a mosaic of three others."""
-    size = settings.size_of(dataset.size)
-    if rng.random() < settings.mosaic:
+    if settings.window < 1:
+        sample = cutting(dataset.samples[index], dataset.size, settings, rng)
+    elif rng.random() < settings.mosaic:
         others = rng.integers(len(dataset), size=3)
-        sample = mosaic([dataset.samples[i] for i in (index, *others)], size, settings, rng)
+        sample = mosaic([dataset.samples[i] for i in (index, *others)], dataset.size, settings, rng)
     else:
-        sample = shifted(dataset.samples[index], size, settings, rng)
+        sample = shifted(dataset.samples[index], dataset.size, settings, rng)
     if rng.random() < settings.mirror:
         sample = mirrored(sample)
     return Sample(recoloured(sample.image, settings, rng), sample.boxes, sample.classes)

@@ -18,7 +18,7 @@ from .schedule import Plan, rate_factor
 SAVE_SECONDS = 120
 LONGEST_GRADIENT = 10.0
 WEIGHT_DECAY = {"adamw": 0.02, "sgd": 0.0005}
-SMALL = 0.5
+WINDOW = 0.5
 STATE = ("epoch", "step", "seconds", "best")
 RATES = {"adamw": 0.002, "sgd": 0.01}
 
@@ -37,7 +37,7 @@ class Settings:
     rate: float = None           # highest learning rate; None: the optimizer's usual
     mosaic: float = 1.0          # share of samples made of four images
     plain: float = 0.1           # last share of the training, which sees no mosaics
-    small: float = 0.0           # first share of the training, whose images have half the size: four times as many fit
+    cuttings: float = 0.0        # first share of the training, on quarters of images: four times as many fit
     validate: int = 5            # epochs from one validation to the next
     workers: int = 1             # threads that make batches
     bf16: bool = False
@@ -104,7 +104,7 @@ class Training:
     def augmentation_at(self, step):
         progress = self.progress(step)
         return Augmentation(mosaic=self.settings.mosaic if progress < 1 - self.settings.plain else 0.0,
-                            zoom=SMALL if progress < self.settings.small else 1.0)
+                            window=WINDOW if progress < self.settings.cuttings else 1.0)
 
     def take_step(self, images, bodies):
         for group in self.optimizer.param_groups:
@@ -120,7 +120,8 @@ class Training:
         self.average.update(self.network)
         parts = parts.cpu()
         if not torch.isfinite(parts).all():
-            raise FloatingPointError(f"epoch {self.epoch + 1}, step {self.step + 1}: the loss is {parts.tolist()}; try a lower --rate")
+            raise FloatingPointError(f"epoch {self.epoch + 1}, step {self.step + 1}: the loss is {parts.tolist()}; "
+                                     "try a lower --rate")
         self.losses += parts
 
     def run_epoch(self):

@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 VIEWS = {"usv_harbour": (32, 0.5), "usv_cages": (13, 0.5), "quad_corridor": (12, 1.15), "office": (26, 0.9)}
 USUAL = (10, 0.8)  # m from the robot, rad above the horizon
 SETTLED = 12.0  # s until RViz has drawn all
+DRIVEN = 6.0  # simulated s, which pass slowly on a slow machine: until the robot is clear of the wall behind it
 
 
 def main():
@@ -22,7 +23,9 @@ def main():
             session.launch("field_fusion", "sim.launch", f"world:={world}", f"distance:={distance}", f"pitch:={pitch}")
             rviz_runs = lambda: any("/rviz" in nodes for _, nodes in session.system_state()[1])
             session.require(rviz_runs, 120.0, "RViz did not come up")
+            drive = session.start("/usr/bin/python3", "-c", f"import rospy; rospy.init_node('drive'); rospy.sleep({DRIVEN})")
             time.sleep(SETTLED)
+            session.require(lambda: drive.poll() == 0, 300.0, "simulated time does not pass", drive)
             take_picture(ROOT / f"docs/images/{world}.png")
 
 

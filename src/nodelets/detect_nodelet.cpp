@@ -2,7 +2,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/ros/camera_feed.h"
-#include "field_fusion/ros/camera_file.h"
 #include "field_fusion/ros/detect_task.h"
 #include "field_fusion/ros/ground_feed.h"
 #include "field_fusion/ros/stage.h"
@@ -16,24 +15,17 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
     worker_ = std::make_unique<DetectWorker>([this](DetectJob&& job) { work(job); }, kDetectNiceness);
     detections_ = output<ImageDetectionArray>("detections");
     annotated_ = output<sensor_msgs::Image>("annotated_image");
-    info_ = &input<sensor_msgs::CameraInfo>("camera_info", [this](const auto& info) {
-      if (!file_) camera_.add(*info);
-    });
+    info_ = &input<sensor_msgs::CameraInfo>("camera_info", [this](const auto& info) { camera_.add(*info); });
     plane_ = &input<GroundPlane>("ground_plane", [this](const auto& plane) { ground_.add(plane); });
     const auto take = [this](const auto& image) { onImage(image); };
-    const auto known = [this](const auto& i) { return file_ || camera_.ready(i.header.stamp); };
-    image_ = &imageInput("image", take, known);
+    image_ = &imageInput("image", take, [this](const auto& i) { return camera_.ready(i.header.stamp); });
     plane_->optional = image_->deferred = true;
-    const std::string& url = params().camera_info_url;
-    if ((info_->optional = !url.empty()))
-      file_ = std::make_unique<CameraFile>(ros::NodeHandle(getPrivateNodeHandle(), "camera"), url);
+    info_->optional = camera_.readFile(getPrivateNodeHandle(), params().camera_info_url);
   }
-
   void onParams() override { settings_ = std::make_shared<const core::DetectParams>(params()); }
   void onTimeJump() override { worker_->clear(), camera_.reset(), ground_.reset(); }
 
   void onImage(const sensor_msgs::Image::ConstPtr& image) {
-    if (file_) camera_.add(file_->infoFor(*image));
     std::string no_camera, no_ground;  // the image is good: its boxes go out with what is known
     const auto camera = camera_.modelFor(*image, no_camera);
     const auto ground = ground_.planeFor(image->header, tf(), params().range.plane_max_age, no_ground);
@@ -55,7 +47,6 @@ class DetectNodelet : public StageNodelet<core::DetectParams> {
   Output<sensor_msgs::Image> annotated_;
   InputPort *image_ = nullptr, *info_ = nullptr, *plane_ = nullptr;
   CameraFeed camera_;
-  std::unique_ptr<CameraFile> file_;  // in place of the topic
   GroundFeed ground_;
   std::shared_ptr<const core::DetectParams> settings_;
   std::unique_ptr<DetectTask> task_;

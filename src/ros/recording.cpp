@@ -4,17 +4,36 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace field_fusion {
+namespace {
+
+// The name is given at the end, perhaps hours later; and a device would be replaced by the bag.
+const std::string& fitName(const std::string& file) {
+  if (file.empty()) throw std::runtime_error("the bag has no name");
+  const auto status = std::filesystem::status(file);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::runtime_error(file + ": is there and is not a plain file");
+  return file;
+}
+
+}  // namespace
 
 Recording::Recording(const std::string& file)
-    : file_(file), part_(file + ".part"), bag_(part_, rosbag::bagmode::Write) {
-  bag_.setCompression(rosbag::compression::LZ4);  // drawn images shrink twentyfold, others cost little time
+    : file_(fitName(file)),
+      part_(file + ".part"),
+      bag_(std::make_unique<rosbag::Bag>(part_, rosbag::bagmode::Write)) {
+  bag_->setCompression(rosbag::compression::LZ4);  // drawn images shrink twentyfold, others cost little time
 }
 
 Recording::~Recording() {
   if (finished_) return;
-  bag_.close();
+  try {
+    bag_->close();
+  } catch (const std::exception&) {  // a full disk; the bag's own destructor would try again and end the program
+    static_cast<void>(bag_.release());
+  }
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);
 }
@@ -26,7 +45,7 @@ void Recording::writeStatic(const std::vector<geometry_msgs::TransformStamped>& 
 }
 
 void Recording::finish() {
-  bag_.close();
+  bag_->close();
   std::filesystem::rename(part_, file_);
   finished_ = true;
 }

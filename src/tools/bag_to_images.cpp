@@ -109,7 +109,8 @@ void extract(const Options& options) {
     showProgress(count, view.size());
   }
   std::cout << options.out << ": " << written << " pictures of " << count << " on " << topic;
-  if (without > 0) std::cout << "; " << without << " left out, " << options.labels << " has none of their stamp";
+  if (without > 0)
+    std::cout << "; " << without << " left out, " << options.labels << " has none of their stamp";
   std::cout << "\n";
 }
 
@@ -129,7 +130,8 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->needs(labels);
   app.add_option("--set", options.set, "folder below images/ and labels/, such as train")->needs(labels);
-  app.add_option("--min-score", options.limits.score, "of a box; of the simulator's truth the share that is seen")
+  app.add_option("--min-score", options.limits.score,
+                 "of a box; of the simulator's truth the share that is seen")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--min-area", options.limits.area, "of a box [px^2]")

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 
@@ -51,7 +52,12 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("world", options.sim.world, "file, or name of a world that comes with the package")
       ->required();
   app.add_option("bag", options.bag, "file to write")->required();
-  app.add_option("--seconds", options.seconds, "length")->capture_default_str()->check(CLI::Range(0.01, 1e5));
+  app.add_option("--seconds", options.seconds, "length")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e5))
+      ->check([](const std::string& text) {  // which lets nan through
+        return std::isfinite(std::stod(text)) ? std::string() : text + " is no length";
+      });
   app.add_option("--seed", options.sim.seed, "of the sensors' errors")
       ->capture_default_str()
       ->check(CLI::Range(0, 2147483647));

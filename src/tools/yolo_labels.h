@@ -34,7 +34,8 @@ inline std::string labelText(const ImageDetectionArray& array, const std::vector
   std::string text;
   for (const ImageDetection& d : array.detections) {
     const auto known = std::find(classes.begin(), classes.end(), d.label);
-    if (known == classes.end()) throw std::runtime_error("class " + d.label + " is not in the list of classes");
+    if (known == classes.end())
+      throw std::runtime_error("class " + d.label + " is not in the list of classes");
     const double w = d.x_max - d.x_min, h = d.y_max - d.y_min;
     if (d.score < limits.score || w * h < limits.area) continue;
     text += cv::format("%d %.6f %.6f %.6f %.6f\n", static_cast<int>(known - classes.begin()),
@@ -44,8 +45,8 @@ inline std::string labelText(const ImageDetectionArray& array, const std::vector
   return text;
 }
 
-inline LabelFiles readLabels(const rosbag::Bag& bag, const std::string& topic, const std::string& classes_file,
-                             const LabelLimits& limits) {
+inline LabelFiles readLabels(const rosbag::Bag& bag, const std::string& topic,
+                             const std::string& classes_file, const LabelLimits& limits) {
   const std::vector<std::string> classes = readClasses(classes_file);
   LabelFiles out;
   rosbag::View view(bag, rosbag::TopicQuery(topic));

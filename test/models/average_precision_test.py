@@ -103,8 +103,9 @@ def slow_average_precision(images, least):
                      for box, score in zip(detections.boxes, detections.scores)), key=lambda r: -r[0])
     taken, hits = set(), []
     for _, i, box in ranked:
-        overlaps = [(overlaps_of(box[None], np.array([b]))[0, 0], j) for j, (b, _) in enumerate(images[i][1]) if (i, j) not in taken]
-        best = max(overlaps, default=(0, None), key=lambda o: o[0])
+        overlaps = [(overlaps_of(box[None], np.array([b]))[0, 0], j)
+                    for j, (b, _) in enumerate(images[i][1]) if (i, j) not in taken]
+        best = max(overlaps, default=(0, None))
         hits.append(best[0] >= least)
         if hits[-1]:
             taken.add((i, best[1]))
@@ -120,7 +121,8 @@ def test_average_precision_is_its_definition(seed):
     random = np.random.default_rng(seed)
     images, score = [], iter(random.permutation(200) / 200)
     for _ in range(8):
-        bodies = [(tuple(np.concatenate([c, c + random.uniform(8, 30, 2)])), 0) for c in random.uniform(0, 80, (random.integers(0, 5), 2))]
+        corners = random.uniform(0, 80, (random.integers(0, 5), 2))
+        bodies = [(tuple(np.concatenate([c, c + random.uniform(8, 30, 2)])), 0) for c in corners]
         near = [(np.array(b) + random.normal(0, 2, 4), next(score), 0) for b, _ in bodies for _ in range(random.integers(0, 3))]
         images.append((found(*near, (np.array([0, 0, 20, 20.0]), next(score), 0)), bodies))
     table = scored(images).table()[0]

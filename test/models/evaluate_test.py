@@ -87,7 +87,8 @@ def test_program_scores_a_checkpoint_and_its_export_alike(shapes_folder, tmp_pat
     first, second = (evaluate(tmp_path / name, shapes_folder) for name in ("a.pt", "a.onnx"))
     assert first.returncode == second.returncode == 0, first.stderr + second.stderr
     assert first.stdout.splitlines()[0] == second.stdout.splitlines()[0] and "| disc |" in first.stdout
-    figures = [[float(line.split()[2]) for line in out.stdout.splitlines() if line.startswith("figure")] for out in (first, second)]
+    figures = [[float(line.split()[2]) for line in out.stdout.splitlines() if line.startswith("figure")]
+               for out in (first, second)]
     assert len(figures[0]) == 2 and figures[0] == pytest.approx(figures[1], abs=0.02)
 
 

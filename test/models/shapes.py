@@ -29,8 +29,9 @@ def draw(rng, size, most=3):
 
 def label_lines(rows, size):
     width, height = size
-    return "".join(f"{c} {(x0 + x1) / 2 / width:.6f} {(y0 + y1) / 2 / height:.6f} {(x1 - x0) / width:.6f} {(y1 - y0) / height:.6f}\n"
-                   for c, x0, y0, x1, y1 in rows)
+    relative = [(c, (x0 + x1) / 2 / width, (y0 + y1) / 2 / height, (x1 - x0) / width, (y1 - y0) / height)
+                for c, x0, y0, x1, y1 in rows]
+    return "".join("{} {:.6f} {:.6f} {:.6f} {:.6f}\n".format(*row) for row in relative)
 
 
 def write_dataset(folder, counts, size, seed=0):

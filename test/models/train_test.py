@@ -107,6 +107,13 @@ def test_program_stops_at_a_signal_and_resumes(shapes_folder, tmp_path):
     assert load(tmp_path / "best.pt")[0]["names"] == ["box", "disc", "triangle"]
 
 
+def test_program_does_not_resume_what_another_version_began(shapes_folder, tmp_path):
+    facts = {"config": {}, "names": [], "size": [], "state": {}, "settings": {"colour": "red"}}
+    save(tmp_path / "last.pt", facts, {})
+    done = run(shapes_folder, tmp_path, "--resume")
+    assert done.returncode == 1 and "another version" in done.stderr and "colour" in done.stderr
+
+
 def test_program_does_not_overwrite_a_training(shapes_folder, tmp_path):
     (tmp_path / "last.pt").write_bytes(b"")
     done = run(shapes_folder, tmp_path)

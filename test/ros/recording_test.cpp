@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
+#include <sys/resource.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
+
+#include <csignal>
+#include <random>
 
 #include "field_fusion/ros/cloud_message.h"
 #include "support/temp_folder.h"
@@ -39,6 +43,46 @@ TEST(Recording, LeavesNothingWhenItIsNotFinished) {
 
 TEST(Recording, RefusesAFileThatCannotBeWritten) {
   EXPECT_THROW(Recording("/nowhere/a.bag"), rosbag::BagException);
+}
+
+TEST(Recording, RefusesANameThatIsNoPlainFiles) {
+  const test::TempFolder folder;
+  EXPECT_THROW(Recording(folder.path().string()), std::runtime_error);
+  EXPECT_THROW(Recording("/dev/null"), std::runtime_error);
+  EXPECT_THROW(Recording(""), std::runtime_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+/// No file grows beyond `bytes` while this lives, as on a full disk.
+struct FullDisk {
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit less{bytes, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &less);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+  }
+  rlimit before;
+  void (*handler)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+TEST(Recording, LeavesNothingOnAFullDisk) {
+  const test::TempFolder folder;
+  CloudMessage noise = cloudAt(5.0);
+  noise.points.resize(50000);
+  std::mt19937 draw(1);  // what does not shrink
+  std::uniform_real_distribution<float> metres(-50.f, 50.f);
+  for (auto& point : noise.points) point.x = metres(draw), point.y = metres(draw), point.z = metres(draw);
+  const auto fill = [&] {
+    Recording recording((folder.path() / "a.bag").string());
+    for (int i = 0; i < 20; ++i) recording.write("/points", noise);
+    recording.finish();
+  };
+  const FullDisk full(1 << 20);
+  EXPECT_THROW(fill(), rosbag::BagException);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Recording, LatchesStaticTransforms) {

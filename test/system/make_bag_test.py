@@ -179,6 +179,13 @@ def test_a_folder_that_is_not_there_is_named(tmp_path):
     assert done.returncode != 0 and "no/a.bag" in done.stderr
 
 
+@pytest.mark.parametrize("seconds", ["nan", "inf", "0", "-1"])
+def test_a_length_that_is_none_is_refused(seconds, tmp_path):
+    done = rosrun("make_bag", "quad_lab", tmp_path / "a.bag", "--seconds", seconds)
+    assert done.returncode != 0 and "--seconds" in done.stderr + done.stdout
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupted_run_leaves_no_bag(sign, tmp_path):
     bag = tmp_path / "a.bag"

@@ -1,11 +1,12 @@
 """The worlds that the detector learns from, and the data set made of them."""
+import subprocess
 import sys
 
+import cv2
 import pytest
 import yaml
 
 from conftest import ROOT, SETUP, rosrun
-import subprocess
 
 sys.path.insert(0, str(ROOT / "models"))
 from data import bodies, random_world  # noqa: E402
@@ -54,15 +55,15 @@ def test_worlds_can_be_loaded(split, tmp_path):
         assert done.returncode == 0, done.stderr
 
 
-def make(out, *more):
-    command = ["bash", "-c", '. "$0" && exec /usr/bin/python3 "$@"', SETUP, str(ROOT / "models/make_dataset.py"), str(out), *more]
+def model_tool(name, *arguments):
+    command = ["bash", "-c", '. "$0" && exec /usr/bin/python3 "$@"', SETUP, str(ROOT / f"models/{name}.py"), *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def test_a_data_set_has_as_many_pictures_as_asked_for_and_goes_on_where_it_ended(tmp_path):
     counts = ("--train", "4", "--val", "1", "--held-out", "1")
     for name in ("a", "b"):
-        assert make(tmp_path / name, *counts).returncode == 0
+        assert model_tool("make_dataset", tmp_path / name, *counts).returncode == 0
     files = {file.relative_to(tmp_path / "a"): file.read_bytes() for file in (tmp_path / "a").rglob("*.*")}
     assert files == {file.relative_to(tmp_path / "b"): file.read_bytes() for file in (tmp_path / "b").rglob("*.*")}
     for split, count in (("train", 4), ("val", 1), ("held_out", 1)):
@@ -70,7 +71,11 @@ def test_a_data_set_has_as_many_pictures_as_asked_for_and_goes_on_where_it_ended
             assert len(list((tmp_path / "a" / kind / split).glob(f"*.{suffix}"))) == count
     world = tmp_path / "a/worlds/val_00000.yaml"
     world.unlink()
-    said = make(tmp_path / "a", *counts)
+    said = model_tool("make_dataset", tmp_path / "a", *counts)
     assert said.returncode == 0 and "1 of them made" in said.stdout and world.exists()
-    refused = make(tmp_path / "a", *counts, "--seed", "2")
+    refused = model_tool("make_dataset", tmp_path / "a", *counts, "--seed", "2")
     assert refused.returncode != 0 and "of another seed" in refused.stderr
+    shown = model_tool("show_dataset", tmp_path / "a", tmp_path / "sheet.jpg", "--rows", "2", "--columns", "2")
+    assert shown.returncode == 0 and cv2.imread(str(tmp_path / "sheet.jpg")).shape == (2 * 225, 2 * 400, 3)
+    few = model_tool("show_dataset", tmp_path / "a", tmp_path / "sheet.jpg", "--rows", "9")
+    assert few.returncode != 0 and "4 pictures in" in few.stderr

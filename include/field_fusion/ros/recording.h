@@ -5,6 +5,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <boost/make_shared.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace field_fusion {
 /// Writes `file` under the name FILE.part until `finish`; without that, nothing is left of it.
 class Recording {
  public:
-  /// Throws rosbag::BagException where the file cannot be written.
+  /// Throws rosbag::BagException where the file cannot be written, std::runtime_error where that name is no
+  /// plain file's.
   explicit Recording(const std::string& file);
   ~Recording();
   Recording(const Recording&) = delete;
@@ -27,19 +29,19 @@ class Recording {
   /// Recorded as received at its own stamp.
   template <class Message>
   void write(const std::string& topic, const Message& message) {
-    bag_.write(topic, message.header.stamp, message);
+    bag_->write(topic, message.header.stamp, message);
   }
 
   /// Recorded as received at `time`; `latched`: whoever joins the playback late gets it too.
   template <class Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message, bool latched) {
-    if (!latched) return bag_.write(topic, time, message);
+    if (!latched) return bag_->write(topic, time, message);
     const auto header = boost::make_shared<ros::M_string>();
     (*header)["type"] = ros::message_traits::datatype(message);
     (*header)["md5sum"] = ros::message_traits::md5sum(message);
     (*header)["message_definition"] = ros::message_traits::definition(message);
     (*header)["latching"] = "1";
-    bag_.write(topic, time, message, header);
+    bag_->write(topic, time, message, header);
   }
 
   /// On `/tf_static`, latched as its publishers do.
@@ -49,7 +51,7 @@ class Recording {
 
  private:
   std::string file_, part_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
   bool finished_ = false;
 };
 

@@ -25,8 +25,8 @@ Eigen::Vector3f at(const cv::Mat& light, float u, float v) {
 
 /// Of points at x, y, z [m], or in that direction where `at` is 0: the pixel once the camera has moved. NaN
 /// where they are not in front.
-FIELD_FUSION_INLINE void see(const PlumbBob<float>& lens, const Eigen::Matrix<float, 3, 4>& T, float x, float y,
-                             float z, float at, float& u, float& v) {
+FIELD_FUSION_INLINE void see(const PlumbBob<float>& lens, const Eigen::Matrix<float, 3, 4>& T, float x,
+                             float y, float z, float at, float& u, float& v) {
   const float right = T(0, 0) * x + T(0, 1) * y + T(0, 2) * z + at * T(0, 3);
   const float down = T(1, 0) * x + T(1, 1) * y + T(1, 2) * z + at * T(1, 3);
   const float ahead = T(2, 0) * x + T(2, 1) * y + T(2, 2) * z + at * T(2, 3);

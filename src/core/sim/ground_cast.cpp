@@ -10,7 +10,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-
+/// Of all lines: there is nothing to save.
 void GroundCast::meetPlane(const LineLanes& lines, MeetingLanes& out) const {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double above =

@@ -1,5 +1,5 @@
 #pragma once
-// Rays against the ground, eight at a time: plane and water by formula, rough ground as a mesh of its heights.
+// Rays against the ground, eight at a time: plane and water by formula, a rough one as a mesh of its heights.
 #include "water_cast.h"
 
 namespace field_fusion::core::sim {

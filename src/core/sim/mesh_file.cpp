@@ -21,6 +21,7 @@ Mesh loadMesh(const std::string& file, double scale) {
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
       const aiVector3D& v = from.mVertices[i];
       part.vertices.push_back((scale * Eigen::Vector3d(v.x, v.y, v.z)).cast<float>());
+      if (!part.vertices.back().allFinite()) throw std::runtime_error(file + ": has a vertex that is not finite");
     }
     for (unsigned i = 0; i < from.mNumFaces; ++i) {
       const aiFace& face = from.mFaces[i];

@@ -80,7 +80,8 @@ void Shader::castShadows(const Caster& caster, const Ray* rays, const Hit* hits,
   if (!(sky_.sun().sum() > 0.f)) return;
   for (std::size_t i = 0; i < count; ++i) {
     if (hits[i].body == Hit::kNothing) continue;
-    const bool faces = isWater(hits[i]) ? s.looks[i].glitter > kFaint : hits[i].normal.dot(sky_.toSun()) > 0.f;
+    const bool faces =
+        isWater(hits[i]) ? s.looks[i].glitter > kFaint : hits[i].normal.dot(sky_.toSun()) > 0.f;
     if (!faces) continue;
     s.rays.push_back(leaving(rays[i], hits[i], sky_.toSun())), s.pixels.push_back(i);
   }

@@ -34,9 +34,9 @@ void check(const std::string& shape, const std::string& name, double value, doub
 const std::map<std::string, ShapeKind>& shapeKinds() {
   static const ShapeKinds kinds = [] {
     ShapeKinds all;
-    for (auto* part : {plainShapes, obstacleShapes, furnitureShapes, seatShapes, boxShapes, streetShapes,
-                       vehicleShapes, inflatedShapes, marineShapes, cageShapes, boatShapes, buoyShapes,
-                       bollardShapes, personShapes})
+    for (auto* part : {plainShapes, obstacleShapes, furnitureShapes, chairShapes, stoolShapes, boxShapes,
+                       streetShapes, vehicleShapes, inflatedShapes, marineShapes, cageShapes, boatShapes,
+                       buoyShapes, bollardShapes, personShapes})
       all.merge(part());
     return all;
   }();

@@ -21,11 +21,11 @@ float smoothStep(float low, float high, float x) {
 
 /// 0..1, clouds on a plane far above.
 float cloudAt(const Eigen::Vector3f& d, const Light& light) {
-  if (d.z() < 0.03f) return 0.f;
+  if (d.z() < 0.03f || light.clouds == 0.0) return 0.f;  // the noise has rare peaks above any edge
   const float spread = 1.6f / (static_cast<float>(light.cloud_size) * (d.z() + 0.12f));
   const float layer = 7.5f + 11.3f * static_cast<float>(light.cloud_seed);
   const float noise = smoothNoise({spread * d.x(), 1.4f * spread * d.y(), layer}, 4, 0.f);
-  const float edge = 0.9f - 0.8f * static_cast<float>(light.clouds);
+  const float edge = 1.f - static_cast<float>(light.clouds);
   return smoothStep(edge, edge + 0.3f, noise) * smoothStep(0.03f, 0.2f, d.z());
 }
 

@@ -48,12 +48,13 @@ FIELD_FUSION_LANES void WaterCast::bounds(const LineLanes& lines, BoundLanes& ou
   }
 }
 
-FIELD_FUSION_INLINE void WaterCast::begin(const LineLanes& lines, const Lanes<double>& wanted, Search& s) const {
+FIELD_FUSION_INLINE void WaterCast::begin(const LineLanes& lines, const Lanes<double>& wanted,
+                                          Search& s) const {
   for (std::size_t w = 0; w < waves_.size(); ++w) {
     const WaveNumbers& wave = waves_[w];
     for (std::size_t i = 0; i < kLanes; ++i) {
-      s.start[w][i] = wave.kx * lines.origin[0][i] + wave.ky * lines.origin[1][i] - wave.omega * lines.time[i] +
-                      wave.phase;
+      const double still = wave.kx * lines.origin[0][i] + wave.ky * lines.origin[1][i];
+      s.start[w][i] = still - wave.omega * lines.time[i] + wave.phase;
       s.rate[w][i] = wave.kx * lines.direction[0][i] + wave.ky * lines.direction[1][i];
     }
   }

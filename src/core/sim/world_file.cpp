@@ -58,8 +58,8 @@ Ground readGround(const Yaml& yaml) {
 }
 
 Light readLight(const Yaml& yaml) {
-  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky", "sun_colour", "zenith", "horizon", "clouds",
-                 "cloud_size", "cloud_seed", "visibility"});
+  yaml.onlyKeys({"sun_azimuth_deg", "sun_elevation_deg", "sun", "sky", "sun_colour", "zenith", "horizon",
+                 "clouds", "cloud_size", "cloud_seed", "visibility"});
   Light light;
   Polar sun = polar(light.to_sun);
   if (yaml.has("sun_azimuth_deg")) sun.azimuth = radians(yaml["sun_azimuth_deg"].number());

@@ -11,9 +11,12 @@ Transform frameOf(const Eigen::Vector3d& place, const Eigen::Vector3d& roll_pitc
 /// A list of x, y, z and perhaps roll_deg, pitch_deg, yaw_deg.
 Transform readFrame(const Yaml& yaml);
 void readMaterial(const Yaml& yaml, Material& material);
+/// By the keys material and materials of a body or a part.
+void paint(const Yaml& yaml, Model& model);
 /// From the keys of kModelKeys.
 Model readModel(const Yaml& yaml);
-inline const std::vector<std::string> kModelKeys{"shape", "params", "mesh", "scale", "material", "materials", "parts"};
+inline const std::vector<std::string> kModelKeys{"shape",    "params",    "mesh", "scale",
+                                                 "material", "materials", "parts"};
 
 /// From the keys of kWayKeys, `offset` [m] along x and y from where they say, put on the ground.
 Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -41,11 +42,22 @@ Transform drawMountError(const Yaml& yaml, const std::string& name, const Draws&
   return frameOf(shift, turn);
 }
 
+/// It stands in topics and is a frame.
+std::string mountName(const Yaml& yaml) {
+  static const std::vector<std::string> taken{"base", "clock", "tf", "tf_static", "truth", "world"};
+  const std::string name = yaml.text();
+  const auto fits = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  if (std::isalpha(static_cast<unsigned char>(name.front())) == 0 || !std::all_of(name.begin(), name.end(), fits))
+    yaml.fail("'" + name + "' must be a letter, then letters, digits and _");
+  if (std::find(taken.begin(), taken.end(), name) != taken.end()) yaml.fail("'" + name + "' is taken");
+  return name;
+}
+
 Mount readMount(const Yaml& yaml, const std::string& sensors, const Draws& draws) {
   static const std::vector<std::string> own{"name", "model", "pose", "mount_error", "clock_error"};
   Mount mount;
   const auto keys = yaml.keys();
-  mount.name = yaml["name"].text();
+  mount.name = mountName(yaml["name"]);
   mount.model = yaml["model"].text();
   if (yaml.has("pose")) mount.T_base_nominal = readFrame(yaml["pose"]);
   mount.T_base_sensor = mount.T_base_nominal * drawMountError(yaml, mount.name, draws);

@@ -108,7 +108,8 @@ TEST(Texture, PatternsCoverTheShareOfTheirShapes) {
 
 TEST(Texture, PlanksAreOfOneShadeEachFromTopToBottom) {
   const cv::Mat planks = wallOf(Material::Texture::kPlanks);
-  for (int v = 0; v < planks.rows; v += 10) EXPECT_LE(cv::norm(planks.row(v), planks.row(60), cv::NORM_INF), 2) << v;
+  for (int v = 0; v < planks.rows; v += 10)
+    EXPECT_LE(cv::norm(planks.row(v), planks.row(60), cv::NORM_INF), 2) << v;
   double low, high;
   cv::minMaxLoc(planks, &low, &high);
   EXPECT_GT(high - low, 40);
@@ -117,10 +118,12 @@ TEST(Texture, PlanksAreOfOneShadeEachFromTopToBottom) {
 TEST(Texture, SlantsRiseByTheirAngle) {
   const cv::Mat slants = wallOf(Material::Texture::kSlants);  // one metre to the left is one down
   int different = 0;
-  for (int i = 0; i < 40; ++i) different += std::abs(slants.at<uchar>(40 + i, 60 + i) - slants.at<uchar>(40, 60)) > 40;
+  for (int i = 0; i < 40; ++i)
+    different += std::abs(slants.at<uchar>(40 + i, 60 + i) - slants.at<uchar>(40, 60)) > 40;
   const int along = different;
   different = 0;
-  for (int i = 0; i < 40; ++i) different += std::abs(slants.at<uchar>(79 - i, 60 + i) - slants.at<uchar>(79, 60)) > 40;
+  for (int i = 0; i < 40; ++i)
+    different += std::abs(slants.at<uchar>(79 - i, 60 + i) - slants.at<uchar>(79, 60)) > 40;
   EXPECT_EQ(std::min(along, different), 0);
   EXPECT_GT(std::max(along, different), 5);
 }
@@ -128,7 +131,8 @@ TEST(Texture, SlantsRiseByTheirAngle) {
 TEST(Texture, WedgesMeetAtTheAxis) {
   World world = worldOf(Sphere{{0, 0, 0}, 1.f}, still({0, 0, 0}));
   Material& material = world.bodies[0].model.links[0].parts[0].material;
-  material.texture = Material::Texture::kWedges, material.colour.setConstant(0.8f), material.colour2.setConstant(0.1f);
+  material.texture = Material::Texture::kWedges, material.colour.setConstant(0.8f),
+  material.colour2.setConstant(0.1f);
   world.light.sun = 0.0, world.light.sky = 1.0;
   cv::Mat green;
   const CameraParams p = smallCamera();
@@ -136,7 +140,8 @@ TEST(Texture, WedgesMeetAtTheAxis) {
   int changes = 0;
   const auto at = [&](int degrees) {  // half-way to the rim
     const double r = 0.5 / 4.2 * p.fx;
-    return green.at<uchar>(static_cast<int>(59.5 + r * std::sin(radians(degrees))), static_cast<int>(79.5 + r * std::cos(radians(degrees)))) < 160;
+    return green.at<uchar>(static_cast<int>(59.5 + r * std::sin(radians(degrees))),
+                           static_cast<int>(79.5 + r * std::cos(radians(degrees)))) < 160;
   };
   for (int degrees = 0; degrees < 360; ++degrees) changes += at(degrees) != at(degrees + 1);
   EXPECT_EQ(changes, 8);

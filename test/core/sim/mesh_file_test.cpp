@@ -39,7 +39,8 @@ std::string faultOf(const std::string& file) {
 TEST(MeshFile, FaultsNameTheFile) {
   const field_fusion::test::TempFolder folder;
   EXPECT_NE(faultOf("/nowhere/cage.obj").find("/nowhere/cage.obj"), std::string::npos);
-  for (const char* text : {"", "v 0 0 0\nv 1 0 0\nl 1 2\n", "this is no mesh\n"}) {
+  for (const char* text : {"", "v 0 0 0\nv 1 0 0\nl 1 2\n", "this is no mesh\n",
+                           "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}) {
     const std::string file = folder.write("bad.obj", text).string();
     EXPECT_NE(faultOf(file).find(file), std::string::npos) << text;
   }

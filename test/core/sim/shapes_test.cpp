@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "field_fusion/core/sim/caster.h"
@@ -135,6 +137,12 @@ std::string faultOf(const std::string& name, const ShapeParams& params) {
     return fault.what();
   }
   return "";
+}
+
+TEST(Shapes, TheirDocumentIsWhatTheyAre) {
+  std::ifstream file(PROJECT_DIR "/docs/shapes.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(text, shapesDocument()) << "docs/shapes.md is stale: run rosrun field_fusion write_params";
 }
 
 TEST(Shapes, FaultsNameWhatIsWrong) {

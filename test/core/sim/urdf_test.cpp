@@ -105,6 +105,17 @@ TEST_F(Urdf, DrawsBoxesBallsAndCylindersAsTheyAre) {
   EXPECT_EQ(numbers("origin xyz=\"([^\"]*)\""), (std::vector<double>{0, 0, 1.5}));
 }
 
+TEST_F(Urdf, ATurnedBoxStaysABox) {
+  world_.robot.model = makeShape("box", {{"length", 2}, {"width", 3}, {"height", 4}});
+  const Eigen::AngleAxisf turn(0.4f, Eigen::Vector3f(1, 2, 3).normalized());
+  for (Eigen::Vector3f& vertex : std::get<Mesh>(world_.robot.model.links[0].parts[0].shape).vertices)
+    vertex = turn * vertex;
+  EXPECT_EQ(numbers("box size=\"([^\"]*)\""), (std::vector<double>{2, 3, 4}));
+  const Transform T = placed(numbers("origin xyz=\"([^\"]*)\""), numbers("rpy=\"([^\"]*)\""));
+  EXPECT_TRUE(T.linear().isApprox(turn.toRotationMatrix().cast<double>(), 1e-5));
+  EXPECT_TRUE(T.translation().isApprox((turn * Eigen::Vector3f(0, 0, 2)).cast<double>(), 1e-5));
+}
+
 TEST_F(Urdf, DrawsTheBoxAboutAnyOtherMesh) {
   world_.robot.model = makeShape("cone", {{"diameter", 2}, {"height", 3}});
   const auto size = numbers("box size=\"([^\"]*)\"");

@@ -173,7 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"name: a\nbodys: []\n", "2: bodys: unknown key (did you mean bodies?)"},
         Fault{"name: a\nname: b\n", "2: name is there twice"},
-        Fault{"light: {zenith: [0, 0, 0]}\n", "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
+        Fault{"light: {zenith: [0, 0, 0]}\n",
+              "1: light.zenith: must be [red, green, blue] of 0..1, not black"},
         Fault{"bodies:\n - {name: a, shape: stool, pose: [0, 0],\n    materials: {hull: {gloss: 1}}}\n",
               "3: bodies[0].materials.hull: no part is that; there are: seat leg"},
         Fault{"bodies:\n - {name: a, shape: bxo, pose: [0, 0]}\n",
@@ -211,6 +212,12 @@ INSTANTIATE_TEST_SUITE_P(
               "1: robot.mounts[0].gyro_nose: no parameter of imu_a (did you mean gyro_noise?)"},
         Fault{"robot:\n pose: [0, 0]\n mounts:\n  - {name: a, model: imu_a}\n  - {name: a, model: scan_b}\n",
               "5: robot.mounts[1]: two sensors are named a"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: my imu, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: 'my imu' must be a letter, then letters, digits and _"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: 3a, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: '3a' must be a letter, then letters, digits and _"},
+        Fault{"robot: {pose: [0, 0], mounts: [{name: base, model: imu_a}]}\n",
+              "1: robot.mounts[0].name: 'base' is taken"},
         Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0]}]}\n",
               "1: robot.mounts[0].pose: must be a list of 3 to 6 numbers"},
         Fault{

@@ -26,6 +26,9 @@ const std::map<std::string, ShapeKind>& shapeKinds();
 /// is not above 0.
 Model makeShape(const std::string& name, const ShapeParams& params = {});
 
+/// docs/shapes.md: every shape with its parameters and the parts that a world can paint.
+std::string shapesDocument();
+
 /// All triangles of a file that assimp reads (OBJ, PLY, DAE, STL), `scale` times as large. Throws
 /// std::runtime_error naming the file if it cannot be read or has no triangles.
 Mesh loadMesh(const std::string& file, double scale = 1.0);

@@ -49,8 +49,8 @@ struct Light {
   // Colours of the light, linear RGB; only their ratios count.
   Eigen::Vector3f sun_colour{1.06f, 1.f, 0.86f};
   Eigen::Vector3f zenith{0.16f, 0.34f, 0.74f}, horizon{0.72f, 0.84f, 0.98f};  ///< also to each other
-  double clouds = 0.5;      ///< 0..1: none .. overcast
-  double cloud_size = 1.0;  ///< over that of fair weather
+  double clouds = 0.5;                                                        ///< 0..1: none .. overcast
+  double cloud_size = 1.0;                                                    ///< over that of fair weather
   unsigned cloud_seed = 0;
   double visibility = 6000.0;  ///< [m] in which haze takes 1 - 1/e
 };

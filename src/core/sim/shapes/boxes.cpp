@@ -6,13 +6,6 @@
 namespace field_fusion::core::sim {
 namespace {
 
-struct Extent {
-  float x, y, h;  // half, half, all
-
-  explicit Extent(const ShapeParams& p)
-      : x(0.5f * of(p, "length")), y(0.5f * of(p, "width")), h(of(p, "height")) {}
-};
-
 /// Cardboard, a tape around it and an address.
 Model parcel(const ShapeParams& p) {
   const Extent e(p);
@@ -33,13 +26,17 @@ Model crate(const ShapeParams& p) {
   const float post = 0.1f * std::min(e.x, e.y), board = 0.4f * post;
   const int slats = std::max(3, static_cast<int>(e.h / 0.12f));
   Builder builder;
-  builder.use(matt({0.1f, 0.07f, 0.04f}, 0.3f), "inside").box({-e.x + 2 * post, -e.y + 2 * post, 0}, {e.x - 2 * post, e.y - 2 * post, 0.97f * e.h});
+  builder.use(matt({0.1f, 0.07f, 0.04f}, 0.3f), "inside")
+      .box({-e.x + 2 * post, -e.y + 2 * post, 0}, {e.x - 2 * post, e.y - 2 * post, 0.97f * e.h});
   builder.use(wood(), "post").fourLegs(e.x, e.y, post + board, e.h);
   builder.use(wood(), "body");
   for (int i = 0; i < slats; ++i) {
-    const float step = e.h / static_cast<float>(slats), z = step * static_cast<float>(i), top = z + 0.8f * step;
-    for (const float x : {-e.x + board, e.x - post}) builder.box({x, -e.y + board, z}, {x + post - board, e.y - board, top});
-    for (const float y : {-e.y + board, e.y - post}) builder.box({-e.x + board, y, z}, {e.x - board, y + post - board, top});
+    const float step = e.h / static_cast<float>(slats), z = step * static_cast<float>(i),
+                top = z + 0.8f * step;
+    for (const float x : {-e.x + board, e.x - post})
+      builder.box({x, -e.y + board, z}, {x + post - board, e.y - board, top});
+    for (const float y : {-e.y + board, e.y - post})
+      builder.box({-e.x + board, y, z}, {e.x - board, y + post - board, top});
   }
   return builder.build();
 }
@@ -52,11 +49,14 @@ Model tote(const ShapeParams& p) {
   builder.use(plastic(kBlue), "body").mesh(frustum({-bx, bx, -by, by}, 0, {-tx, tx, -ty, ty}, 0.9f * e.h));
   for (const float share : {-0.66f, -0.22f, 0.22f, 0.66f}) {
     const float wide = 0.03f;
-    builder.box({share * bx - wide * e.x, -0.97f * e.y, 0.15f * e.h}, {share * bx + wide * e.x, 0.97f * e.y, 0.9f * e.h});
-    builder.box({-0.97f * e.x, share * by - wide * e.y, 0.15f * e.h}, {0.97f * e.x, share * by + wide * e.y, 0.9f * e.h});
+    builder.box({share * bx - wide * e.x, -0.97f * e.y, 0.15f * e.h},
+                {share * bx + wide * e.x, 0.97f * e.y, 0.9f * e.h});
+    builder.box({-0.97f * e.x, share * by - wide * e.y, 0.15f * e.h},
+                {0.97f * e.x, share * by + wide * e.y, 0.9f * e.h});
   }
   builder.use(plastic(kBlue), "rim").box({-e.x, -e.y, 0.86f * e.h}, {e.x, e.y, e.h});
-  builder.use(matt(kBlack, 0.1f), "inside").box({-0.85f * e.x, -0.85f * e.y, 0.99f * e.h}, {0.85f * e.x, 0.85f * e.y, e.h});
+  builder.use(matt(kBlack, 0.1f), "inside")
+      .box({-0.85f * e.x, -0.85f * e.y, 0.99f * e.h}, {0.85f * e.x, 0.85f * e.y, e.h});
   return builder.build();
 }
 
@@ -71,7 +71,8 @@ Model openBox(const ShapeParams& p) {
   builder.mesh(frustum({-x, -x + thick, -y, y}, 0.9f * wall, {-e.x, -e.x + thick, -y, y}, e.h));
   builder.mesh(frustum({-x, x, y - thick, y}, 0.9f * wall, {-x, x, e.y - thick, e.y}, 0.95f * e.h));
   builder.mesh(frustum({-x, x, -y, -y + thick}, 0.9f * wall, {-x, x, -e.y, -e.y + thick}, 0.95f * e.h));
-  builder.use(matt(kBlack, 0.1f), "inside").box({-0.95f * x, -0.95f * y, 0.97f * wall}, {0.95f * x, 0.95f * y, wall});
+  builder.use(matt(kBlack, 0.1f), "inside")
+      .box({-0.95f * x, -0.95f * y, 0.97f * wall}, {0.95f * x, 0.95f * y, wall});
   return builder.build();
 }
 

@@ -46,4 +46,12 @@ class Builder {
 
 inline float of(const ShapeParams& params, const char* name) { return static_cast<float>(params.at(name)); }
 
+/// Of a body that stands about the z axis.
+struct Extent {
+  float x, y, h;  ///< [m] half the length, half the width, all of the height
+
+  explicit Extent(const ShapeParams& p)
+      : x(0.5f * of(p, "length")), y(0.5f * of(p, "width")), h(of(p, "height")) {}
+};
+
 }  // namespace field_fusion::core::sim

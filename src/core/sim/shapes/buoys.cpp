@@ -1,4 +1,4 @@
-// Buoys and bollards. z = 0 is the water, or the quay.
+// Buoys. z = 0 is the water.
 #include "builder.h"
 #include "kinds.h"
 #include "materials.h"
@@ -10,7 +10,7 @@ struct Size {
   float r, h, deep;
 
   explicit Size(const ShapeParams& p)
-      : r(0.5f * of(p, "diameter")), h(of(p, "height")), deep(p.count("draught") ? -of(p, "draught") : 0.f) {}
+      : r(0.5f * of(p, "diameter")), h(of(p, "height")), deep(-of(p, "draught")) {}
 };
 
 /// A barrel-shaped body, a mast and a topmark.
@@ -38,7 +38,8 @@ Model mooringBuoy(const ShapeParams& p) {
   std::vector<Vector2f> body;
   for (int i = 0; i <= 10; ++i) {
     const double angle = radians(-90.0 + 18.0 * i);
-    body.emplace_back(std::max(0.02, std::cos(angle)) * s.r, s.deep + 0.5 * (std::sin(angle) + 1.0) * (top - s.deep));
+    body.emplace_back(std::max(0.02, std::cos(angle)) * s.r,
+                      s.deep + 0.5 * (std::sin(angle) + 1.0) * (top - s.deep));
   }
   return Builder()
       .use(plastic(kOrange), "body")
@@ -89,7 +90,8 @@ Model nunBuoy(const ShapeParams& p) {
   const Size s(p);
   return Builder()
       .use(plastic(kGreen), "body")
-      .mesh(lathe({{0.7f * s.r, s.deep}, {s.r, 0.25f * s.deep}, {s.r, 0.22f * s.h}, {0.22f * s.r, 0.9f * s.h}}))
+      .mesh(
+          lathe({{0.7f * s.r, s.deep}, {s.r, 0.25f * s.deep}, {s.r, 0.22f * s.h}, {0.22f * s.r, 0.9f * s.h}}))
       .use(steel(), "mast")
       .mesh(lathe({{0.22f * s.r, 0.9f * s.h}, {0.22f * s.r, s.h}}))
       .build();
@@ -112,64 +114,9 @@ Model pillarBuoy(const ShapeParams& p) {
   }
   builder.rod({0, 0, head - bar}, {0, 0, head}, 0.35f * s.r).rod({0, 0, head}, {0, 0, s.h}, 0.8f * bar);
   builder.use(plastic(kBlack), "topmark");
-  for (const float z : {0.74f, 0.87f}) builder.mesh(lathe({{0.3f * s.r, z * s.h}, {0.02f * s.r, (z + 0.11f) * s.h}}));
+  for (const float z : {0.74f, 0.87f})
+    builder.mesh(lathe({{0.3f * s.r, z * s.h}, {0.02f * s.r, (z + 0.11f) * s.h}}));
   return builder.build();
-}
-
-Material castIron() { return matt({0.05f, 0.05f, 0.06f}, 0.15f); }
-
-Model bollard(const ShapeParams& p) {
-  const Size s(p);
-  return Builder()
-      .use(castIron(), "body")
-      .mesh(lathe({{s.r, 0}, {s.r, 0.08f * s.h}, {0.6f * s.r, 0.15f * s.h}, {0.6f * s.r, 0.65f * s.h}, {s.r, 0.8f * s.h}, {s.r, 0.9f * s.h}, {0.6f * s.r, s.h}}))
-      .build();
-}
-
-/// Two posts with a bar across, on one plate.
-Model twinBollard(const ShapeParams& p) {
-  const float x = 0.5f * of(p, "length"), y = 0.5f * of(p, "width"), h = of(p, "height"), post = 0.55f * std::min(x, y);
-  Builder builder;
-  builder.use(castIron(), "body").box({-x, -y, 0}, {x, y, 0.06f * h});
-  for (const float side : {-1.f, 1.f}) {
-    const Vector3f foot(0, side * (y - post), 0), neck(0, foot.y(), 0.88f * h), top(0, foot.y(), h);
-    builder.rod(foot, neck, 0.8f * post).rod(neck, top, post);
-  }
-  return builder.rod({0, -y, 0.55f * h}, {0, y, 0.55f * h}, 0.5f * post).build();
-}
-
-/// A post beside a road, with a bright band and a rounded head.
-Model streetBollard(const ShapeParams& p) {
-  const Size s(p);
-  return Builder()
-      .use(paint(kGrey), "body")
-      .mesh(lathe({{s.r, 0}, {s.r, 0.05f * s.h}, {0.8f * s.r, 0.06f * s.h}, {0.8f * s.r, 0.7f * s.h}}))
-      .mesh(lathe({{0.8f * s.r, 0.82f * s.h}, {0.8f * s.r, 0.93f * s.h}, {0.6f * s.r, 0.98f * s.h}, {0.2f * s.r, s.h}}))
-      .use(matt(kWhite, 0.9f), "band")
-      .mesh(lathe({{0.82f * s.r, 0.7f * s.h}, {0.82f * s.r, 0.82f * s.h}}))
-      .build();
-}
-
-/// With a head like a T, for heavy lines.
-Model teeBollard(const ShapeParams& p) {
-  const float x = 0.5f * of(p, "length"), y = 0.5f * of(p, "width"), h = of(p, "height");
-  return Builder()
-      .use(castIron(), "body")
-      .mesh(frustum({-x, x, -0.8f * y, 0.8f * y}, 0, {-0.6f * x, 0.6f * x, -0.45f * y, 0.45f * y}, 0.3f * h))
-      .mesh(frustum({-0.6f * x, 0.6f * x, -0.45f * y, 0.45f * y}, 0.3f * h, {-0.6f * x, 0.6f * x, -0.5f * y, 0.5f * y}, 0.7f * h))
-      .mesh(frustum({-0.6f * x, 0.6f * x, -0.5f * y, 0.5f * y}, 0.7f * h, {-0.7f * x, 0.7f * x, -y, y}, 0.85f * h))
-      .mesh(frustum({-0.7f * x, 0.7f * x, -y, y}, 0.85f * h, {-0.5f * x, 0.5f * x, -0.9f * y, 0.9f * y}, h))
-      .build();
-}
-
-/// Hewn of granite, tapered, with a pyramid on top.
-Model stoneBollard(const ShapeParams& p) {
-  const float x = 0.5f * of(p, "diameter"), h = of(p, "height"), in = 0.75f * x, tip = 0.2f * x;
-  return Builder()
-      .use(concrete(), "body")
-      .mesh(frustum({-x, x, -x, x}, 0, {-in, in, -in, in}, 0.88f * h))
-      .mesh(frustum({-in, in, -in, in}, 0.88f * h, {-tip, tip, -tip, tip}, h))
-      .build();
 }
 
 }  // namespace
@@ -177,21 +124,13 @@ Model stoneBollard(const ShapeParams& p) {
 ShapeKinds buoyShapes() {
   return {
       {"buoy", {"a buoy with a topmark", {{"diameter", 0.8}, {"height", 1.6}, {"draught", 0.4}}, buoy}},
-      {"mooring_buoy", {"a hollow ball with an eye", {{"diameter", 0.6}, {"height", 0.5}, {"draught", 0.15}}, mooringBuoy}},
+      {"mooring_buoy",
+       {"a hollow ball with an eye", {{"diameter", 0.6}, {"height", 0.5}, {"draught", 0.15}}, mooringBuoy}},
       {"can_buoy", {"a can with a band", {{"diameter", 0.9}, {"height", 1.5}, {"draught", 0.4}}, canBuoy}},
       {"spar_buoy", {"a pole on a float", {{"diameter", 0.5}, {"height", 1.8}, {"draught", 0.4}}, sparBuoy}},
       {"nun_buoy", {"a blunt cone", {{"diameter", 0.9}, {"height", 1.6}, {"draught", 0.4}}, nunBuoy}},
-      {"pillar_buoy", {"a cardinal mark", {{"diameter", 1.4}, {"height", 3.2}, {"draught", 0.6}}, pillarBuoy}},
-  };
-}
-
-ShapeKinds bollardShapes() {
-  return {
-      {"bollard", {"a mooring bollard", {{"diameter", 0.35}, {"height", 0.5}}, bollard}},
-      {"twin_bollard", {"two mooring posts on a plate", {{"length", 0.4}, {"width", 1}, {"height", 0.5}}, twinBollard}},
-      {"street_bollard", {"a post beside a road", {{"diameter", 0.2}, {"height", 0.95}}, streetBollard}},
-      {"tee_bollard", {"a mooring bollard with a head like a T", {{"length", 0.4}, {"width", 0.5}, {"height", 0.5}}, teeBollard}},
-      {"stone_bollard", {"a hewn post", {{"diameter", 0.35}, {"height", 0.8}}, stoneBollard}},
+      {"pillar_buoy",
+       {"a cardinal mark", {{"diameter", 1.4}, {"height", 3.2}, {"draught", 0.6}}, pillarBuoy}},
   };
 }
 

@@ -66,13 +66,16 @@ Model birdNetCage(const ShapeParams& p) {
 template <class Side>
 void fourSides(Side&& side) {
   for (int i = 0; i < 4; ++i) {
-    const float c = i % 2 == 0 ? 1.f - static_cast<float>(i) : 0.f, s = i % 2 == 1 ? 2.f - static_cast<float>(i) : 0.f;
+    const float c = i % 2 == 0 ? 1.f - static_cast<float>(i) : 0.f,
+                s = i % 2 == 1 ? 2.f - static_cast<float>(i) : 0.f;
     side([c, s](float x, float y, float z) { return Vector3f(c * x - s * y, s * x + c * y, z); });
   }
 }
 
 /// Between two corners in any order.
-void slab(Builder& builder, const Vector3f& a, const Vector3f& b) { builder.box(a.cwiseMin(b), a.cwiseMax(b)); }
+void slab(Builder& builder, const Vector3f& a, const Vector3f& b) {
+  builder.box(a.cwiseMin(b), a.cwiseMax(b));
+}
 
 /// Square, of gangways on floats, with handrails on their inner side; `drums` of them on a side, or beams.
 Model pontoonCage(const ShapeParams& p) {
@@ -86,10 +89,12 @@ Model pontoonCage(const ShapeParams& p) {
     slab(builder, at(-r, -r, deck - thick), at(inner, -inner, deck));
     builder.use(plastic(kBlue), "float");
     for (int i = 0; i < drums; ++i) {
-      const float x = -r + 2.f * r * (static_cast<float>(i) + 0.5f) / static_cast<float>(drums), half = 0.35f * wide;
+      const float x = -r + 2.f * r * (static_cast<float>(i) + 0.5f) / static_cast<float>(drums),
+                  half = 0.35f * wide;
       slab(builder, at(x - half, -r + 0.1f * wide, under), at(x + half, -inner - 0.1f * wide, deck - thick));
     }
-    if (drums == 0) slab(builder, at(-r, -r + 0.1f * wide, under), at(inner, -inner - 0.1f * wide, deck - thick));
+    if (drums == 0)
+      slab(builder, at(-r, -r + 0.1f * wide, under), at(inner, -inner - 0.1f * wide, deck - thick));
     builder.use(steel(), "rail");
     const float line = inner + rail;
     for (int i = 0; i < posts; ++i) {
@@ -102,25 +107,39 @@ Model pontoonCage(const ShapeParams& p) {
     }
   });
   builder.use(netOf(p), "net");
-  const auto ring = [](float a, float z) { return std::vector<Vector3f>{{-a, -a, z}, {a, -a, z}, {a, a, z}, {-a, a, z}}; };
-  builder.mesh(loft({ring(0.02f * inner, deep), ring(0.9f * inner, deep), ring(inner, 0), ring(inner, h - rail)}, false));
+  const auto ring = [](float a, float z) {
+    return std::vector<Vector3f>{{-a, -a, z}, {a, -a, z}, {a, a, z}, {-a, a, z}};
+  };
+  builder.mesh(loft(
+      {ring(0.02f * inner, deep), ring(0.9f * inner, deep), ring(inner, 0), ring(inner, h - rail)}, false));
   return builder.build();
 }
 
 }  // namespace
 
 ShapeKinds cageShapes() {
-  const ShapeParams ring = {{"diameter", 2}, {"height", 1},  {"tube", 0.2},           {"posts", 12},
-                            {"rails", 2},    {"unbraced", 0}, {"draught", 2},          {"transparency", 0.75}};
+  const ShapeParams ring = {{"diameter", 2}, {"height", 1},   {"tube", 0.2},  {"posts", 12},
+                            {"rails", 2},    {"unbraced", 0}, {"draught", 2}, {"transparency", 0.75}};
   return {
       {"cage", {"a round fish cage of marine ranching; `unbraced` 1: posts alone", ring, cage}},
       {"bird_net_cage",
        {"a round fish cage under a net against birds",
-        {{"diameter", 6}, {"height", 2}, {"tube", 0.3}, {"posts", 16}, {"draught", 2}, {"transparency", 0.75}},
+        {{"diameter", 6},
+         {"height", 2},
+         {"tube", 0.3},
+         {"posts", 16},
+         {"draught", 2},
+         {"transparency", 0.75}},
         birdNetCage}},
       {"pontoon_cage",
        {"a square fish cage of gangways on floats; `drums` 0: on beams",
-        {{"diameter", 5}, {"height", 1.3}, {"gangway", 0.6}, {"posts", 6}, {"drums", 0}, {"draught", 2}, {"transparency", 0.75}},
+        {{"diameter", 5},
+         {"height", 1.3},
+         {"gangway", 0.6},
+         {"posts", 6},
+         {"drums", 0},
+         {"draught", 2},
+         {"transparency", 0.75}},
         pontoonCage}},
   };
 }

@@ -5,13 +5,6 @@
 namespace field_fusion::core::sim {
 namespace {
 
-struct Extent {
-  float x, y, h;  // half, half, all
-
-  explicit Extent(const ShapeParams& p)
-      : x(0.5f * of(p, "length")), y(0.5f * of(p, "width")), h(of(p, "height")) {}
-};
-
 Model table(const ShapeParams& p) {
   const Extent e(p);
   const float top = std::min(0.03f, 0.2f * e.h), leg = 0.06f * std::min(e.x, e.y) + 0.02f;

@@ -17,13 +17,17 @@ struct ConeStyle {
 Model trafficCone(const ShapeParams& p, const ConeStyle& style) {
   const float r = 0.5f * of(p, "diameter"), h = of(p, "height"), base = std::min(0.03f, 0.2f * h);
   const float foot = 0.75f * r, tip = 0.12f * r;
-  const auto ring = [&](float share) { return Vector2f(foot + (tip - foot) * share, base + (h - base) * share); };
+  const auto ring = [&](float share) {
+    return Vector2f(foot + (tip - foot) * share, base + (h - base) * share);
+  };
   Builder builder;
   builder.use(style.round ? rubber() : plastic(style.colour), "base");
-  style.round ? builder.mesh(lathe({{r, 0}, {r, 0.7f * base}, {foot, base}})) : builder.box({-r, -r, 0}, {r, r, base});
+  style.round ? builder.mesh(lathe({{r, 0}, {r, 0.7f * base}, {foot, base}}))
+              : builder.box({-r, -r, 0}, {r, r, base});
   float below = 0.f;
   for (int i = 0; i < style.bands; ++i) {
-    const float low = 0.6f - 0.5f * style.band + 0.33f * (static_cast<float>(i) - 0.5f * static_cast<float>(style.bands - 1));
+    const float low = 0.6f - 0.5f * style.band +
+                      0.33f * (static_cast<float>(i) - 0.5f * static_cast<float>(style.bands - 1));
     builder.use(plastic(style.colour), "body").mesh(lathe({ring(below), ring(low)}));
     builder.use(matt(kWhite, 0.85f), "band").mesh(lathe({ring(low), ring(low + style.band)}));
     below = low + style.band;
@@ -33,7 +37,8 @@ Model trafficCone(const ShapeParams& p, const ConeStyle& style) {
 
 template <int kBands>
 Model roadCone(const ShapeParams& p) {
-  return trafficCone(p, {kOrange, kBands, std::clamp(of(p, "band"), 0.05f, 0.3f), of(p, "round") > 0.f});
+  return trafficCone(
+      p, {kOrange, kBands, kBands > 0 ? std::clamp(of(p, "band"), 0.05f, 0.3f) : 0.f, of(p, "round") > 0.f});
 }
 
 Model barrel(const ShapeParams& p) {
@@ -98,10 +103,14 @@ ShapeKinds obstacleShapes() {
       {"red_cone",
        {"a red traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kRed}); }}},
       {"blue_cone",
-       {"a blue traffic cone on its base", cone, [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
-      {"plain_cone", {"a traffic cone; `round` 1: on a round base", road, roadCone<0>}},
-      {"banded_cone", {"the same with a band of so much of its height", road, roadCone<1>}},
-      {"road_cone", {"the same with two", road, roadCone<2>}},
+       {"a blue traffic cone on its base", cone,
+        [](const ShapeParams& p) { return trafficCone(p, {kBlue}); }}},
+      {"plain_cone",
+       {"a traffic cone; `round` 1: on a round base",
+        {{"diameter", 0.4}, {"height", 0.75}, {"round", 0}},
+        roadCone<0>}},
+      {"banded_cone", {"a traffic cone with a `band` of so much of its height", road, roadCone<1>}},
+      {"road_cone", {"a traffic cone with two bands", road, roadCone<2>}},
       {"barrel", {"a steel drum", {{"diameter", 0.58}, {"height", 0.88}}, barrel}},
       {"radiator", {"a panel radiator on feet", {{"length", 1}, {"width", 0.12}, {"height", 0.6}}, radiator}},
       {"distribution_box",

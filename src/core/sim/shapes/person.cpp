@@ -60,21 +60,28 @@ struct Figure {
   }
   /// Around the trunk from one height to another, shares of the person's; wider by `more`.
   void around(float from, float to, float more) {
-    Mesh cloth = lathe({{0.95f + more, from * h}, {0.97f + more, 0.5f * (from + to) * h}, {0.85f + more, to * h}});
+    Mesh cloth =
+        lathe({{0.95f + more, from * h}, {0.97f + more, 0.5f * (from + to) * h}, {0.85f + more, to * h}});
     for (Vector3f& v : cloth.vertices) v.x() *= 0.068f * h, v.y() *= breadth - 0.06f * h;
     builder.mesh(cloth);
   }
   void hair() {
     const float head = 0.065f * h, z = h - head;
-    Mesh cap = lathe({{0.9f * head, z - 0.3f * head}, {1.06f * head, z + 0.1f * head}, {0.85f * head, z + 0.7f * head}, {0.1f * head, h}});
+    Mesh cap = lathe({{0.9f * head, z - 0.3f * head},
+                      {1.06f * head, z + 0.1f * head},
+                      {0.85f * head, z + 0.7f * head},
+                      {0.1f * head, h}});
     for (Vector3f& v : cap.vertices) v.x() -= 0.012f * h;
     builder.use(dress.hair, "hair").mesh(cap);
   }
   /// Hard, with a brim.
   void helmet() {
     const float head = 0.065f * h, z = h - head;
-    builder.use(plastic(kYellow), "hat");
-    builder.mesh(lathe({{1.35f * head, z + 0.2f * head}, {1.1f * head, z + 0.3f * head}, {0.8f * head, z + 0.8f * head}, {0.1f * head, h}}));
+    builder.use(plastic(kYellow), "helmet");
+    builder.mesh(lathe({{1.35f * head, z + 0.2f * head},
+                        {1.1f * head, z + 0.3f * head},
+                        {0.8f * head, z + 0.8f * head},
+                        {0.1f * head, h}}));
   }
   /// `side` is -1 or 1; the phases of the two sides are half a period apart.
   void leg(float side) {
@@ -87,7 +94,8 @@ struct Figure {
     // the knee is straight while the foot stands and bent most while the thigh swings forwards
     builder.link(swinging(knee, -bend, phase + radians(90.0), -bend), thigh);
     builder.use(dress.trousers, "trousers").rod(knee, {0, y, ankle}, 0.036f * h);
-    builder.use(dress.shoes, "shoes").box({-0.04f * h, y - 0.028f * h, 0}, {0.11f * h, y + 0.028f * h, ankle});
+    builder.use(dress.shoes, "shoes")
+        .box({-0.04f * h, y - 0.028f * h, 0}, {0.11f * h, y + 0.028f * h, ankle});
   }
   void arm(float side) {
     const float y = side * (breadth - 0.03f * h);
@@ -114,7 +122,8 @@ Model person(const ShapeParams& p) {
   if (of(p, "vest") > 0.f) builder.use(cloth(kOrange), "vest"), figure.around(0.6f, 0.8f, 0.15f);
   if (of(p, "coat") > 0.f) builder.use(cloth(kBlack), "coat"), figure.around(0.3f, 0.82f, 0.2f);
   if (of(p, "pack") > 0.f)
-    builder.use(cloth(kGreen), "pack").box({-0.15f * h, -0.08f * h, 0.58f * h}, {-0.05f * h, 0.08f * h, 0.8f * h});
+    builder.use(cloth(kGreen), "pack")
+        .box({-0.15f * h, -0.08f * h, 0.58f * h}, {-0.05f * h, 0.08f * h, 0.8f * h});
   for (const float side : {-1.f, 1.f}) figure.leg(side), figure.arm(side);
   return figure.builder.build();
 }
@@ -125,10 +134,13 @@ Model puppet(const ShapeParams& p) {
   const float h = of(p, "height"), plate = 0.5f * of(p, "stand");
   Figure figure{{}, h, 0.5f * of(p, "width"), Gait(1.0, 0.0), {fabric, fabric, fabric, fabric, fabric}};
   if (plate > 0.f)
-    figure.builder.use(steel(), "stand").rod({0, 0, 0}, {0, 0, 0.01f * h}, plate).rod({-0.05f * h, 0, 0}, {-0.05f * h, 0, 0.6f * h}, 0.012f * h);
+    figure.builder.use(steel(), "stand")
+        .rod({0, 0, 0}, {0, 0, 0.01f * h}, plate)
+        .rod({-0.05f * h, 0, 0}, {-0.05f * h, 0, 0.6f * h}, 0.012f * h);
   figure.trunk();
   figure.builder.use(matt(kBlack, 0.2f), "seam");
-  for (const float z : {0.52f, 0.64f, 0.79f}) figure.around(z, z + 0.012f, z < 0.6f ? 0.03f : z < 0.7f ? -0.1f : 0.02f);
+  for (const float z : {0.52f, 0.64f, 0.79f})
+    figure.around(z, z + 0.012f, z < 0.6f ? 0.03f : z < 0.7f ? -0.1f : 0.02f);
   for (const float side : {-1.f, 1.f}) figure.leg(side), figure.arm(side);
   return figure.builder.build();
 }
@@ -138,11 +150,20 @@ Model puppet(const ShapeParams& p) {
 ShapeKinds personShapes() {
   return {
       {"person",
-       {"a person who walks at `speed` [m/s], 0: stands; `vest`, `coat`, `helmet` and `pack` 1: wears that",
-        {{"height", 1.75}, {"width", 0.5}, {"speed", 0}, {"vest", 0}, {"coat", 0}, {"helmet", 0}, {"pack", 0}},
+       {"a person who walks at `speed` [m/s], 0: stands; `vest`, `coat`, `helmet` and `pack` 1: wears that, "
+        "a part of that name",
+        {{"height", 1.75},
+         {"width", 0.5},
+         {"speed", 0},
+         {"vest", 0},
+         {"coat", 0},
+         {"helmet", 0},
+         {"pack", 0}},
         person}},
       {"puppet",
-       {"a dummy pedestrian (Fig. 5 of the off-road paper)", {{"height", 1.154}, {"width", 0.298}, {"stand", 0}}, puppet}},
+       {"a dummy pedestrian (Fig. 5 of the off-road paper)",
+        {{"height", 1.154}, {"width", 0.298}, {"stand", 0}},
+        puppet}},
   };
 }
 

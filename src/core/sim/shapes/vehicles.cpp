@@ -23,11 +23,14 @@ void cabin(Builder& builder, const Eigen::Vector4f& below, float from, const Eig
   builder.use(paint(colour), "paint");
   builder.mesh(frustum(level(0.f), height(0.f), level(0.1f), height(0.1f)));
   builder.mesh(frustum(level(0.88f), height(0.88f), above, to));
+  constexpr float kPost = 0.035f;
   for (const int x : {0, 1})
     for (const int y : {2, 3}) {
-      const float in = y == 2 ? 0.015f : -0.015f;
-      builder.rod({level(0.1f)[x], level(0.1f)[y] + in, height(0.1f)},
-                  {level(0.88f)[x], level(0.88f)[y] + in, height(0.88f)}, 0.035f);
+      const auto end = [&](float share) {
+        return Vector3f(level(share)[x] + (x == 0 ? kPost : -kPost),
+                        level(share)[y] + (y == 2 ? 0.015f : -0.015f), height(share));
+      };
+      builder.rod(end(0.1f), end(0.88f), kPost);
     }
   builder.use(window, "window").mesh(frustum(level(0.1f), height(0.1f), level(0.88f), height(0.88f)));
 }
@@ -42,15 +45,15 @@ struct CarStyle {
 void wheels(Builder& builder, float x, float y, float radius) {
   for (const float at : {-0.58f * x, 0.62f * x})
     for (const float side : {-1.f, 1.f}) {
-      const auto disc = [&](float in, float out, float r) {
-        builder.rod({at, side * in, radius}, {at, side * out, radius}, r);
+      const auto disc = [&](float in, float out, float r, float up) {
+        builder.rod({at, side * in, up}, {at, side * out, up}, r);
       };
       builder.use(matt(kBlack, 0.1f), "arch");
-      disc(0.7f * y, 0.955f * y, 1.15f * radius);
+      disc(0.7f * y, 0.955f * y, 1.15f * radius, 1.15f * radius);
       builder.use(rubber(), "tyre");
-      disc(0.75f * y, 0.985f * y, radius);
+      disc(0.75f * y, 0.985f * y, radius, radius);
       builder.use(steel(), "rim");
-      disc(0.9f * y, 0.992f * y, 0.62f * radius);
+      disc(0.9f * y, 0.992f * y, 0.62f * radius, radius);
     }
 }
 
