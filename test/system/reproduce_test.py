@@ -1,0 +1,72 @@
+"""reproduce: a short form of the USV experiment, and what is said to those who ask for what there is not."""
+import re
+
+import pytest
+
+from conftest import rosrun
+
+
+def reproduced(*arguments):
+    """{figure: (value, unit)}, what was printed."""
+    done = rosrun("reproduce", "usv", "--detections", "truth", *arguments)
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = re.findall(r"^figure (\S+) (\S+) (\S+) n=\d+ ci=\[\S+,\S+\]$", done.stdout, re.M)
+    assert len(lines) == len(re.findall("^figure", done.stdout, re.M))
+    assert done.stdout.splitlines()[-1].startswith("figure ")
+    return {name: (float(value), unit) for name, value, unit in lines}, done.stdout
+
+
+@pytest.fixture(scope="module")
+def one_place(tmp_path_factory):
+    out = tmp_path_factory.mktemp("reproduce") / "out"
+    return *reproduced("--seeds", "1", "--parts", "table1", "--places", "0300", "--out", out), out
+
+
+def test_a_cage_at_3_m_is_found_in_its_place_and_the_papers_method_errs_as_the_paper_did(one_place):
+    figures, said, _ = one_place
+    assert "DETECTIONS ARE THE TRUTH" in said
+    assert figures["usv/table1/found"] == (1.0, "-")
+    assert figures["usv/table1/face_mae"][0] <= 0.05 and figures["usv/table1/face_mae"][1] == "m"
+    assert figures["usv/table1/centre_mae"][0] <= 0.1
+    assert figures["usv/table1/angle_mae"][0] <= 0.3 and figures["usv/table1/angle_mae"][1] == "deg"
+    value, unit = figures["usv/table1/paper_distance_mae/paper_method"]
+    assert unit == "m" and 0.251 / 2 <= value <= 0.251 * 2
+
+
+def test_table_plot_and_bag_are_kept_where_asked(one_place):
+    _, said, out = one_place
+    assert re.search(r"^0300 +3\.15 m +0\.15 m", said, re.M)
+    assert (out / "usv_table1.csv").read_text().count("\n") == 2
+    assert (out / "usv_errors.png").stat().st_size > 1000
+    assert [file.name for file in (out / "bags").iterdir()] == ["cage_0300_102.bag"]
+
+
+def test_a_worse_lidar_gives_worse_figures(one_place):
+    worse, _ = reproduced("--seeds", "1", "--parts", "table1", "--places", "0300", "--degrade", "lidar=10x")
+    assert worse["usv/table1/single_face_mae"] > one_place[0]["usv/table1/single_face_mae"]
+    assert worse["usv/table1/single_centre_mae"] > one_place[0]["usv/table1/single_centre_mae"]
+
+
+BAD = {  # what is asked for: what is said
+    ("nothing",): "invalid choice: 'nothing'",
+    ("usv", "--seeds", "0"): "0 is not a number of seeds",
+    ("usv", "--seeds", "many"): "many is not a number of seeds",
+    ("usv", "--degrade", "lidar=0.1x"): "lidar=0.1x is not SENSOR=FACTORx",
+    ("usv", "--degrade", "lidar"): "lidar is not SENSOR=FACTORx",
+    ("usv", "--detections", "truth", "--places", "0900"): "no such place: 0900",
+    ("usv", "--detections", "truth", "--model", "x.onnx"): "--model and --detections truth exclude one another",
+    ("usv", "--model", "/nowhere/x.onnx"): "no such model: /nowhere/x.onnx",
+    ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"): "no sensor sonar; there are camera, lidar",
+}
+
+
+@pytest.mark.parametrize("arguments", BAD)
+def test_a_wrong_wish_is_answered_by_what_there_is(arguments):
+    done = rosrun("reproduce", *arguments)
+    assert done.returncode != 0 and BAD[arguments] in done.stderr, done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_without_a_name_it_says_what_can_be_reproduced():
+    done = rosrun("reproduce")
+    assert done.returncode == 2 and "NAME" in done.stderr
