@@ -28,7 +28,7 @@ def check(given):
     known = {str(place) for part in (usv_positions.TABLE, usv_positions.FURTHER) for place in part.places}
     unknown = set(given.places or []) - known
     if unknown:
-        raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known, key=lambda p: (-len(p), p)))}")
+        raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
     if given.detections == "truth":
         if given.model:
             raise ValueError("--model and --detections truth exclude one another")

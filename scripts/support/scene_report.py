@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Listens to /obstacles and to the truth of a simulated world and prints what was found of each body.
 
-Of a body counts what the LiDAR truly hit within the sector that the stages look at: ranges are those of the near
-side (of its axis-aligned box, over ground), azimuths those of its middle.
+Of a body counts what the LiDAR truly hit within the sector that the stages look at: ranges are those of what is nearest
+of it (over ground), azimuths those of the middle.
 """
 import argparse
 import collections
@@ -29,8 +29,8 @@ def gap(x, half):
     return max(0.0, abs(x) - (half if math.isfinite(half) else 0.0))
 
 
-def near_range(obstacle):
-    return math.hypot(gap(obstacle.position.x, obstacle.size.x / 2), gap(obstacle.position.y, obstacle.size.y / 2))
+def near_range(thing):
+    return math.hypot(thing.face.x, thing.face.y)
 
 
 def distance(body, obstacle):
@@ -71,6 +71,7 @@ def seen_bodies(rows, labels, detections):
         if not label or len(hits) == 0:
             continue
         low, high = hits.min(axis=0), hits.max(axis=0)
+        nearest = hits[numpy.hypot(hits[:, 0], hits[:, 1]).argmin()]
         middle = (low + high) / 2
         azimuth = math.atan2(middle[1], middle[0])
         pictured = any(d.label == label
@@ -78,7 +79,7 @@ def seen_bodies(rows, labels, detections):
         bodies.append(SimpleNamespace(
             id=number, label=label, azimuth=azimuth,
             source=(LIDAR if len(hits) >= MIN_RETURNS else 0) | (CAMERA if pictured else 0),
-            position=SimpleNamespace(x=middle[0], y=middle[1]),
+            position=SimpleNamespace(x=middle[0], y=middle[1]), face=SimpleNamespace(x=nearest[0], y=nearest[1]),
             size=SimpleNamespace(x=high[0] - low[0], y=high[1] - low[1])))
     return bodies
 

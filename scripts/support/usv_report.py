@@ -28,16 +28,17 @@ def table(rows):
             continue
         mean = {name: statistics.fmean(errors(mine, name)) for name in UNITS}
         there = statistics.fmean(row.face + row.errors.paper_distance for row in mine)
-        yield (f"{place:6} {distance:6.2f} m {distance_error:6.2f} m {angle_error:5.2f} deg   {there:6.2f} m {mean['paper_distance']:6.2f} m "
-               f"{mean['paper_angle']:5.2f} deg   {mean['face']:6.3f} m {mean['centre']:5.3f} m {mean['angle']:5.2f} deg")
+        yield (f"{place:6} {distance:6.2f} m {distance_error:6.2f} m {angle_error:5.2f} deg   {there:6.2f} m "
+               f"{mean['paper_distance']:6.2f} m {mean['paper_angle']:5.2f} deg   {mean['face']:6.3f} m {mean['centre']:5.3f} m "
+               f"{mean['angle']:5.2f} deg")
 
 
 def far_table(rows):
     yield "true face   found in       ours, error of            single clouds"
     yield "                          face   centre    angle      face   centre    angle"
     for row in rows:
-        yield (f"{row.face:6.2f} m  {row.found:3} of {row.frames:3}  {row.errors.face:+6.3f} m {row.errors.centre:+6.3f} m {row.errors.angle:+5.2f} deg  "
-               f"{row.single.face:6.3f} m {row.single.centre:6.3f} m {row.single.angle:5.2f} deg")
+        yield (f"{row.face:6.2f} m  {row.found:3} of {row.frames:3}  {row.errors.face:+6.3f} m {row.errors.centre:+6.3f} m "
+               f"{row.errors.angle:+5.2f} deg  {row.single.face:6.3f} m {row.single.centre:6.3f} m {row.single.angle:5.2f} deg")
 
 
 def lines(part, rows):

@@ -152,6 +152,8 @@ TEST(CheckObstacles, RefusesTheImpossibleAndLetsTheUnknownPass) {
   EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.position.y = core::kNaN; }), "position"));
   EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.position.x = INFINITY; }), "position"));
   EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.size.z = -1.0; }), "size"));
+  EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.face.z = core::kNaN; }), "face"));
+  EXPECT_EQ(faultAfter([](Obstacle& o) { o.face.x = o.face.y = o.face.z = core::kNaN; }), "");
   EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.range = -1.f; }), "range"));
   EXPECT_TRUE(test::says(faultAfter([](Obstacle& o) { o.azimuth_difference = INFINITY; }), "difference"));
 }
@@ -240,7 +242,8 @@ TEST(CameraTargets, WithoutTransformHaveNoPlace) {
 TEST(ObstacleMessage, CarriesEveryField) {
   core::Obstacle in;
   in.cluster = 3, in.part = 2, in.camera = 1, in.detection = 4, in.source = core::ObstacleSource::kBoth;
-  in.position = {1, 2, 3}, in.size = {4, 5, 6};
+  in.position = {1, 2, 3}, in.size = {4, 5, 6}, in.face = {0.5, 1.5, 2.5};
+  in.joined = {5, 8};
   in.covariance << 1, 2, 3, 2, 5, 6, 3, 6, 9;
   in.existence = 0.5, in.label = "boat", in.label_probability = 0.25;
   in.polar = {7, 0.5, -0.5};
@@ -259,6 +262,8 @@ TEST(ObstacleMessage, CarriesEveryField) {
   EXPECT_EQ(o.source, Obstacle::SOURCE_BOTH);
   EXPECT_EQ(o.position.y, 2.0);
   EXPECT_EQ(o.size.z, 6.0);
+  EXPECT_EQ(o.face.y, 1.5);
+  EXPECT_EQ(o.joined_clusters, (std::vector<std::uint32_t>{5, 8}));
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       EXPECT_EQ(o.position_covariance[3 * row + column], in.covariance(row, column));

@@ -109,6 +109,15 @@ TEST_F(Costmap, PartsOfOneClusterCountOnceAndOneSureOneIsEnough) {
   EXPECT_EQ(places(10, 0, {ofCluster(0, 0.1f), ofCluster(0, 0.9f)}), (Places{3, 3}));
 }
 
+TEST_F(Costmap, PiecesOfOneBodyAllCount) {
+  feed_.add(clustersAt(10, {3, 7, 9}));
+  Obstacle body = ofCluster(1);
+  body.joined_clusters = {2};
+  EXPECT_EQ(places(10, 0, {body}), (Places{7, 7, 9, 9}));
+  body.joined_clusters = {3};
+  EXPECT_EQ(refusal(10, 1, {body}).find("obstacles damaged"), 0u);
+}
+
 TEST_F(Costmap, ObstaclesWaitForTheirClusters) {
   const auto obstacles = obstaclesAt(10, 0, {ofCluster(0)});
   EXPECT_FALSE(feed_.ready(obstacles));

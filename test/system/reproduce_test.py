@@ -56,7 +56,8 @@ BAD = {  # what is asked for: what is said
     ("usv", "--detections", "truth", "--places", "0900"): "no such place: 0900",
     ("usv", "--detections", "truth", "--model", "x.onnx"): "--model and --detections truth exclude one another",
     ("usv", "--model", "/nowhere/x.onnx"): "no such model: /nowhere/x.onnx",
-    ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"): "no sensor sonar; there are camera, lidar",
+    ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"):
+        "no sensor sonar; there are camera, lidar",
 }
 
 

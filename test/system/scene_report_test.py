@@ -9,14 +9,15 @@ import scene_report
 
 
 def body(x, y, size=(1.0, 1.0), source=3, label="car", number=0):
+    """Its face is that towards the origin along x."""
     return SimpleNamespace(id=number, source=source, label=label, azimuth=math.atan2(y, x),
-                           position=SimpleNamespace(x=x, y=y), size=SimpleNamespace(x=size[0], y=size[1]))
+                           face=SimpleNamespace(x=x - size[0] / 2, y=y), position=SimpleNamespace(x=x, y=y), size=SimpleNamespace(x=size[0], y=size[1]))
 
 
-def test_range_is_that_of_the_near_side():
+def test_range_is_that_of_the_face_over_ground():
     assert scene_report.near_range(body(10, 0, (4, 2))) == 8
-    assert scene_report.near_range(body(10, 5, (2, 2))) == math.hypot(9, 4)
-    assert scene_report.near_range(body(10, 0, (math.nan, math.nan))) == 10
+    assert scene_report.near_range(body(10, 5, (2, 2))) == math.hypot(9, 5)
+    assert math.isnan(scene_report.near_range(body(10, 0, (math.nan, math.nan))))
 
 
 def test_an_obstacle_goes_to_the_nearest_body_and_to_one_only():

@@ -119,12 +119,13 @@ void Matcher::addBodies(const std::vector<Point>& points,
       best = verdicts_[camera].lidar[b];
     }
     const CameraView* view = best.partner < 0 ? nullptr : &*views[by];
-    obstacles_.push_back(view ? matchedObstacle(bodies_[b], by, view->targets[best.partner], best, params_.obstacle)
-                              : lidarObstacle(bodies_[b], best, params_.obstacle));
+    const CameraTarget* target = view ? &view->targets[best.partner] : nullptr;
+    obstacles_.push_back(target ? matchedObstacle(bodies_[b], by, *target, best, params_.obstacle)
+                                : lidarObstacle(bodies_[b], best, params_.obstacle));
     seen_points_.clear();
     forEachPoint(bodies_[b], [&](std::uint32_t i) { seen_points_.push_back(points[i]); });
-    if (view && params_.method == MatchMethod::kOptimal)
-      if (const auto outline = outline_.run(seen_points_, view->targets[best.partner], view->T_view_lidar)) {
+    if (target && params_.method == MatchMethod::kOptimal)
+      if (const auto outline = outline_.run(seen_points_, *target, view->T_view_lidar)) {
         complete(obstacles_.back(), *outline);
         continue;
       }

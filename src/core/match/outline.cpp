@@ -84,7 +84,8 @@ std::optional<Outline> OutlineFitter::round(const std::vector<Point>& seen, cons
       round_.fit(seen, {0.5 * shape.diameter, 0.5 * shape.net, params_.size_spread, noise_});
   if (!fit.centre.allFinite()) return std::nullopt;
   const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
-  Outline out = upright(fit.centre, fit.covariance, Eigen::Vector2d::Constant(2.0 * fit.radius), span, noise_);
+  const Eigen::Vector2d size = Eigen::Vector2d::Constant(2.0 * fit.radius);
+  Outline out = upright(fit.centre, fit.covariance, size, span, noise_);
   const double away = std::max(0.0, fit.centre.norm() - fit.radius);
   out.face << away * fit.centre.normalized(), std::clamp(0.0, span.low, span.high);
   return out;

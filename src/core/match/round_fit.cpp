@@ -146,8 +146,9 @@ Eigen::Matrix2d RoundFitter::covarianceAt(const Guess& guess) const {
   Eigen::Matrix3d curvature;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
-      curvature(i, k) = (at(i, 0.5, k, 0.5) - at(i, 0.5, k, -0.5) - at(i, -0.5, k, 0.5) + at(i, -0.5, k, -0.5)) /
-                        (steps[i] * steps[k]);
+      curvature(i, k) =
+          (at(i, 0.5, k, 0.5) - at(i, 0.5, k, -0.5) - at(i, -0.5, k, 0.5) + at(i, -0.5, k, -0.5)) /
+          (steps[i] * steps[k]);
   Eigen::Matrix<double, 2, 3> to_centre;  // along the line of sight, and to its left
   to_centre << 1, 0, 1, 0, distance, 0;
   const double floor = prior_.noise * prior_.noise, size = prior_.spread * prior_.radius;

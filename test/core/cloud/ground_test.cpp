@@ -236,8 +236,8 @@ TEST(Ground, WhatIsBelowIsJudgedFromTheSurface) {
   EXPECT_GT(dropped.ground.size(), road * 98 / 100);
 }
 
-/// Ground whose intensity falls with the grazing angle from `brightness` hit squarely, 1.3 m below the sensor,
-/// and 30 points of intensity `float_brightness` of a pipe that reaches 0.1 m above it.
+/// Ground whose intensity falls with the grazing angle from `brightness` hit squarely, 1.3 m below the
+/// sensor, and 30 points of intensity `float_brightness` of a pipe that reaches 0.1 m above it.
 Cloud harbour(float brightness, float float_brightness) {
   Cloud cloud = test::floor(3000, -1.3f, 0.f, 0.02f);
   for (Point& p : cloud) p.intensity = brightness * 1.3f / p.position().norm();

@@ -11,7 +11,8 @@ TEST(ClassShape, IsRoundABoxOrNotKnown) {
   params.class_nets = {{"cage", 1.5}};
   params.class_lengths = {{"boat", 4.0}};
   params.class_widths = {{"boat", 3.0}};
-  const ClassShape cage = shapeOf("cage", params), boat = shapeOf("boat", params), cow = shapeOf("cow", params);
+  const ClassShape cage = shapeOf("cage", params), boat = shapeOf("boat", params);
+  const ClassShape cow = shapeOf("cow", params);
   EXPECT_TRUE(cage.isRound() && cage.isKnown() && !cage.isBox());
   EXPECT_EQ(cage.extent(), 2.0);
   EXPECT_EQ(cage.net, 1.5);

@@ -132,8 +132,8 @@ TEST(RoundFit, WhatHasNoPlaceHasNoMiddle) {
   EXPECT_TRUE(RoundFitter().fit({}, prior).centre.array().isNaN().all());
   EXPECT_TRUE(RoundFitter().fit({at({0, 0})}, prior).centre.array().isNaN().all());
   EXPECT_TRUE(RoundFitter().fit({at({5, 0}), at({kNaN, 0})}, prior).centre.array().isNaN().all());
-  EXPECT_TRUE(
-      RoundFitter().fit({at({std::numeric_limits<double>::infinity(), 1})}, prior).centre.array().isNaN().all());
+  const double far = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(RoundFitter().fit({at({far, 1})}, prior).centre.array().isNaN().all());
 }
 
 TEST(RoundFit, TheSameAgainAfterAnother) {

@@ -12,8 +12,8 @@ namespace field_fusion::core {
 /// A cage of pipes and nets falls into rings, near and far sides. Clusters that lie in one box by most of
 /// their points, and together are no larger than the box's class, are one body. Boxes take their clusters in
 /// turn, the smallest first, so that what stands before a cage is not part of it: first the likeliest by the
-/// gate, else the one with the most points, then those nearest to it as long as all fit. A box whose class has
-/// no known size takes the likeliest only. Keeps its buffers.
+/// gate, else the one with the most points, then those nearest to it as long as all fit. A box whose class
+/// has no known size takes the likeliest only. Keeps its buffers.
 class Joiner {
  public:
   /// `margin` [rad]: how far a box may be off.

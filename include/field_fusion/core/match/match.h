@@ -51,17 +51,17 @@ class Matcher {
 
   /// First one obstacle for each cluster, for each part of one that was split or for all pieces of one body,
   /// then one for each faint cluster that a camera claims, then those that cameras alone saw, in their order.
-  /// `points` are those of all clusters; `views` holds each camera, empty where it has not answered. Where none
-  /// has, all are kNoPartnerMessage.
+  /// `points` are those of all clusters; `views` holds each camera, empty where it has not answered. Where
+  /// none has, all are kNoPartnerMessage.
   ///
-  /// The paper's method takes clusters as they are and their boxes' centres for the bodies'. `optimal` joins and
-  /// splits them by the cameras' boxes, and completes bodies whose class has a known size.
+  /// The paper's method takes clusters as they are and their boxes' centres for the bodies'. `optimal` joins
+  /// and splits them by the cameras' boxes, and completes bodies whose class has a known size.
   ///
   /// Each camera is matched on its own. Of several that see a body, the one with the least distance names it;
   /// of several that alone see what may be one body by the gate, the one that knows its place best.
   ///
-  /// A detection that found no cluster claims a faint one in its box, in range where the detection has one: so
-  /// only optimal, and not by direction alone, for whatever stands behind the box is as near in direction.
+  /// A detection that found no cluster claims a faint one in its box, in range where the detection has one:
+  /// so only optimal, and not by direction alone, for whatever stands behind the box is as near in direction.
   const std::vector<Obstacle>& run(const std::vector<Cluster>& clusters, const std::vector<Point>& points,
                                    const std::vector<std::optional<CameraView>>& views);
 

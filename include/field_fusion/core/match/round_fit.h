@@ -1,5 +1,5 @@
 #pragma once
-// Where the middle of an upright round body is, of which only the near side is seen, or which is seen through.
+// Where the middle of an upright round body is, of which the near side is seen, or which is seen through.
 #include <Eigen/Core>
 
 #include <array>
