@@ -10,6 +10,8 @@ import tempfile
 import time
 
 import kitti_data
+import sim_world
+import stage_run
 from ros_session import RosSession
 
 SIZE = "1600x900"
@@ -76,8 +78,10 @@ def main():
         bag, model = recording(pathlib.Path(scratch), given.scene)
         if not given.display:
             virtual_display(session)
+        robot = pathlib.Path(scratch) / "robot.yaml"
+        stage_run.robot(robot, {} if model else sim_world.KNOWN[WORLD])
         launch = session.launch("field_fusion", "usv.launch", f"bag:={bag}", f"model:={model}", "bag_args:=--loop",
-                                *([] if model else OF_WORLD))
+                                f"robot:={robot}", *([] if model else OF_WORLD))
         if not model:
             session.adopt(subprocess.Popen([sys.executable, pathlib.Path(__file__).with_name("truth_image.py")]))
         limit = ["--limit", str(given.seconds)] if given.seconds else []

@@ -10,7 +10,6 @@ import usv_report
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
 PARTS = ("table1", "far", "harbour")
-HARBOUR = {"match": {"class_diameters": {"cage": 4.5}, "class_nets": {"cage": 3.9}, "size_spread": 0.2}}  # as the user knows them
 MODEL = "models/usv.onnx"
 
 
@@ -45,7 +44,7 @@ def run(experiment):
         experiment.say("DETECTIONS ARE THE TRUTH of the simulator, not a detector's")
     measured = [(part, usv_positions.run(experiment, METHODS, part)) for part in (usv_positions.TABLE, usv_positions.FURTHER)
                 if part.name in given.parts and usv_positions.chosen(experiment, part)]
-    tallies = usv_harbour.run(experiment, METHODS, HARBOUR) if "harbour" in given.parts else {}
+    tallies = usv_harbour.run(experiment, METHODS) if "harbour" in given.parts else {}
     for part, rows in measured:
         experiment.table(f"usv_{part.name}", usv_report.COLUMNS, usv_report.csv_rows(rows))
         yield from usv_report.table(rows) if part is usv_positions.TABLE else usv_report.far_table(rows)

@@ -14,6 +14,8 @@ ERRORS = {
 LIMITS = {"slant_noise": 1.0, "range_scale": 0.1, "range_noise_weak": 1.0, "range_bias": 1.0, "angle_noise": 5.0}
 
 MOUNT_ERROR, CLOCK_ERROR = {"angle_deg": 0.2, "place": 0.005}, 0.002  # of a mount that says nothing: deg, m, s
+# What a user of the robot knows of the bodies of a world, {stage: {parameter: value}}; its cages have 4 and 5 m.
+KNOWN = {"usv_harbour": {"match": {"class_diameters": {"cage": 4.5}, "class_nets": {"cage": 3.9}, "size_spread": 0.2}}}
 
 
 class BadDegrade(ValueError):

@@ -28,16 +28,21 @@ def defaults(stage):
     return yaml.safe_load((package() / f"config/{stage}.yaml").read_text())
 
 
+def robot(file, changes):
+    """Writes the vessel's parameters with `changes` {stage: {parameter: value}} (of a table {class: value}). Returns
+    what it wrote."""
+    values = yaml.safe_load((package() / "config/robots/usv.yaml").read_text())
+    for stage, changed in changes.items():
+        known = values.setdefault(stage, {})
+        for key, value in changed.items():
+            table = known.get(key, defaults(stage)[key]) if isinstance(value, dict) else None
+            known[key] = {**table, **value} if table is not None else value
+    file.write_text(yaml.safe_dump(values))
+    return values
+
+
 def patient_robot(file, camera, changes=None):
-    """Writes the vessel's parameters, with `changes` {stage: {parameter: value}} (of a table {class: value}), and with
-    waits that only a broken stage exceeds: a slow machine must not change the score. Returns what it wrote."""
-    robot = yaml.safe_load((package() / "config/robots/usv.yaml").read_text())
-    patience = {"match": {"partner_timeout": PATIENCE, "hold_limit": 10.0}, "detect": {"hold_limit": 10.0}}
-    for layer in (changes or {}, patience if camera else {}):
-        for stage, values in layer.items():
-            known = robot.setdefault(stage, {})
-            for key, value in values.items():
-                table = known.get(key, defaults(stage)[key]) if isinstance(value, dict) else None
-                known[key] = {**table, **value} if table is not None else value
-    file.write_text(yaml.safe_dump(robot))
-    return robot
+    """The same, with waits that only a broken stage exceeds: a slow machine must not change the score."""
+    patience = {"match": {"partner_timeout": PATIENCE, "hold_limit": 10.0}, "detect": {"hold_limit": 10.0}} if camera else {}
+    both = {stage: {**(changes or {}).get(stage, {}), **patience.get(stage, {})} for stage in {**(changes or {}), **patience}}
+    return robot(file, both)

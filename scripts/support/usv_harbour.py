@@ -149,9 +149,9 @@ def tell(scene, answer, tallies):
                                          in zip(clusters.messages, clusters.arrays) if not cluster.faint])
 
 
-def run(experiment, methods, changes):
+def run(experiment, methods):
     """{system: [[Tally of each stretch] of each seed]}."""
-    stages = Stages(experiment.session, experiment.folder, methods, changes, experiment.given.model)
+    stages = Stages(experiment.session, experiment.folder, methods, sim_world.KNOWN["usv_harbour"], experiment.given.model)
     seconds = QUICK_SECONDS if experiment.quick else SECONDS
     tallies = {system: [] for system in SYSTEMS}
     for seed in experiment.seeds:

@@ -8,6 +8,9 @@
 namespace field_fusion::core {
 namespace {
 
+constexpr double kTooLarge = 2.0;  // spreads by which a body may be larger than its class
+constexpr double kSlack = 0.2;     // [m] that errors of ranges may add
+
 struct Span {
   double low = kNaN, high = kNaN;
 };
@@ -80,6 +83,10 @@ std::optional<Outline> OutlineFitter::run(std::vector<Point>& seen, const Camera
 
 std::optional<Outline> OutlineFitter::round(const std::vector<Point>& seen, const ClassShape& shape,
                                             const CameraTarget& target, const Transform& T_lidar_view) {
+  Eigen::AlignedBox2f seen_box;
+  for (const Point& p : seen) seen_box.extend(Eigen::Vector2f(p.x, p.y));
+  if (seen_box.sizes().maxCoeff() > shape.diameter * (1.0 + kTooLarge * params_.size_spread) + kSlack)
+    return std::nullopt;
   const RoundFit fit =
       round_.fit(seen, {0.5 * shape.diameter, 0.5 * shape.net, params_.size_spread, noise_});
   if (!fit.centre.allFinite()) return std::nullopt;

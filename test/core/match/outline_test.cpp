@@ -103,6 +103,15 @@ TEST(Outline, TheFaceOfABoxIsWhatIsSeen) {
   EXPECT_LT((outline->face - Vector3d(10, 0, -0.5)).norm(), 1e-5);
 }
 
+// a cage of 4 m where the user told of cages of 2 m: better as it is seen than cut to size
+TEST(Outline, ARoundBodyLargerThanItsClassStaysAsItIsSeen) {
+  CameraTarget target;
+  target.label = "cage";
+  auto large = cylinder({10, 0, 0}, 2.0, {0.0}), usual = cylinder({10, 0, 0}, 1.1, {0.0});
+  EXPECT_FALSE(fitter().run(large, target, Transform::Identity()));
+  EXPECT_TRUE(fitter().run(usual, target, Transform::Identity()));
+}
+
 TEST(Outline, WithoutSizeOrPointsThereIsNone) {
   CameraTarget target;
   target.label = "cow";
