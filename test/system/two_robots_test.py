@@ -18,8 +18,9 @@ ROBOT = """
   </include>
   <node pkg="tf2_ros" type="static_transform_publisher" name="{0}_camera_mount"
         args="{1} 0 0 -0.5 0.5 -0.5 0.5 {0}/lidar {0}/camera"/>"""
-# robot: (body ahead of its LiDAR [m], camera ahead of its LiDAR [m], what the camera calls the body)
-ROBOTS = {"a": (8.0, 1.0, "boat"), "b": (15.0, 3.0, "buoy")}
+# robot: (body ahead of its LiDAR [m], camera ahead of its LiDAR [m], what the camera calls it: classes of no known size,
+# so that its place is that of the wall that is seen)
+ROBOTS = {"a": (8.0, 1.0, "person"), "b": (15.0, 3.0, "puppet")}
 LISTENER = """
 import json, math, rospy, sys, threading
 from field_fusion.msg import ObstacleArray
