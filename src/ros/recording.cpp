@@ -1,8 +1,11 @@
 #include "field_fusion/ros/recording.h"
 
+#include <fcntl.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <stdexcept>
 
@@ -18,12 +21,28 @@ const std::string& fitName(const std::string& file) {
   return file;
 }
 
+/// Makes FILE.part, or FILE.2.part ... where others write the same bag.
+std::string ownPart(const std::string& file) {
+  for (int n = 1;; ++n) {
+    const std::string part = file + (n == 1 ? "" : "." + std::to_string(n)) + ".part";
+    const int made = ::open(part.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (made >= 0) ::close(made);
+    if (made >= 0 || errno != EEXIST) return part;  // any other fault the bag tells with its name
+  }
+}
+
+std::unique_ptr<rosbag::Bag> opened(const std::string& part) try {
+  return std::make_unique<rosbag::Bag>(part, rosbag::bagmode::Write);
+} catch (const rosbag::BagException&) {
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw;
+}
+
 }  // namespace
 
 Recording::Recording(const std::string& file)
-    : file_(fitName(file)),
-      part_(file + ".part"),
-      bag_(std::make_unique<rosbag::Bag>(part_, rosbag::bagmode::Write)) {
+    : file_(fitName(file)), part_(ownPart(file)), bag_(opened(part_)) {
   bag_->setCompression(rosbag::compression::LZ4);  // drawn images shrink twentyfold, others cost little time
 }
 

@@ -17,6 +17,7 @@ using visualization_msgs::Marker;
 
 constexpr double kMaxGround = 150.0;  // m, of the piece of ground that is drawn
 constexpr int kGroundCells = 80;      // along each side, where it is not flat
+const std::string kWorld = "world";
 
 /// A link that does not stay where it is in `frame`, on a body that moves or does not.
 bool moves(const sim::Model& model, const sim::Trajectory* way, std::size_t link) {
@@ -65,6 +66,8 @@ struct Drawn {
 
 class Drawing {
  public:
+  explicit Drawing(Marks marks) : marks_(marks) {}
+
   Marker& add(const std::string& layer, const std::string& frame, const sim::Material& material) {
     Marker& marker = array_->markers.emplace_back();
     marker.header.frame_id = frame;
@@ -80,6 +83,7 @@ class Drawing {
            const sim::Model& model, const sim::Trajectory* way) {
     for (std::size_t i = 0; i < model.links.size(); ++i) {
       const bool own = moves(model, way, i);
+      if ((own || fixed != kWorld) != (marks_ == Marks::kMoving)) continue;
       core::Transform T = core::Transform::Identity();
       if (!own) T = (way ? way->pose(0.0) : T) * model.linkPose(i, 0.0);
       for (const sim::Part& part : model.links[i].parts)
@@ -89,6 +93,7 @@ class Drawing {
   boost::shared_ptr<visualization_msgs::MarkerArray> take() { return array_; }
 
  private:
+  Marks marks_;
   boost::shared_ptr<visualization_msgs::MarkerArray> array_ =
       boost::make_shared<visualization_msgs::MarkerArray>();
 };
@@ -106,7 +111,7 @@ void addGround(const sim::World& world, Drawing& drawing) {
     const Eigen::Vector2d p = low + (high - low).cwiseProduct(Eigen::Vector2d(i, j)) / cells;
     return pointOf({p.x(), p.y(), world.ground.height(p.x(), p.y(), 0.0)});
   };
-  Marker& marker = drawing.add("ground", "world", world.ground.material);
+  Marker& marker = drawing.add("ground", kWorld, world.ground.material);
   marker.type = Marker::TRIANGLE_LIST;
   marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
   marker.pose.orientation.w = 1.0;
@@ -129,11 +134,11 @@ void addFrames(const std::string& name, const std::string& parent, const sim::Mo
 
 }  // namespace
 
-boost::shared_ptr<visualization_msgs::MarkerArray> worldMarkers(const sim::World& world) {
-  Drawing drawing;
-  addGround(world, drawing);
+boost::shared_ptr<visualization_msgs::MarkerArray> worldMarkers(const sim::World& world, Marks marks) {
+  Drawing drawing(marks);
+  if (marks == Marks::kStanding) addGround(world, drawing);
   for (const sim::Body& body : world.bodies)
-    drawing.add(body.label.empty() ? "surroundings" : body.label, body.name, "world", body.model, &body.way);
+    drawing.add(body.label.empty() ? "surroundings" : body.label, body.name, kWorld, body.model, &body.way);
   drawing.add("robot", "robot", "base", world.robot.model, nullptr);
   return drawing.take();
 }
@@ -141,7 +146,7 @@ boost::shared_ptr<visualization_msgs::MarkerArray> worldMarkers(const sim::World
 std::vector<geometry_msgs::TransformStamped> linkFrames(const sim::World& world, double time) {
   std::vector<geometry_msgs::TransformStamped> frames;
   for (const sim::Body& body : world.bodies)
-    addFrames(body.name, "world", body.model, &body.way, time, frames);
+    addFrames(body.name, kWorld, body.model, &body.way, time, frames);
   addFrames("robot", "base", world.robot.model, nullptr, time, frames);
   return frames;
 }

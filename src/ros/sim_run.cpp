@@ -105,7 +105,8 @@ void SimRun::begin(const SimSink& sink) {
   if (!params_.truth) return;
   sink({"truth/tf_static", simTime(0.0), mountTransforms(setup_, &sim::Mount::T_base_sensor), true});
   sink({"truth/grid", simTime(0.0), truthGrid(world_, sliceHeight(setup_)), true});
-  boost::shared_ptr<const visualization_msgs::MarkerArray> markers = worldMarkers(world_);
+  boost::shared_ptr<const visualization_msgs::MarkerArray> markers =
+      worldMarkers(world_, Marks::kStanding);
   sink({"truth/markers", simTime(0.0), markers, true});
 }
 

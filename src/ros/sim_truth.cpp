@@ -13,6 +13,7 @@ namespace {
 namespace sim = core::sim;
 
 constexpr double kPoseRate = 50.0, kBodyRate = 10.0;  // Hz
+constexpr double kMarkRate = 0.5;                     // Hz
 constexpr double kDifference = 1e-3;                  // s, for velocities
 
 std_msgs::Header worldHeader(double time) {
@@ -79,6 +80,19 @@ class BodySource : public SimSource {
   const sim::World& world_;
 };
 
+class MarkSource : public SimSource {
+ public:
+  explicit MarkSource(boost::shared_ptr<const visualization_msgs::MarkerArray> marks)
+      : SimSource(kMarkRate), marks_(std::move(marks)) {}
+
+ private:
+  void measure(double, const ros::Time& ready, const SimSink& sink) override {
+    send(sink, "truth/moving_markers", ready, marks_);
+  }
+
+  boost::shared_ptr<const visualization_msgs::MarkerArray> marks_;
+};
+
 }  // namespace
 
 boost::shared_ptr<const nav_msgs::OccupancyGrid> truthGrid(const sim::World& world, double height) {
@@ -103,6 +117,8 @@ SimSources simTruth(const SimSetup& setup) {
   SimSources out;
   out.push_back(std::make_unique<PoseSource>(setup));
   if (!setup.world.bodies.empty()) out.push_back(std::make_unique<BodySource>(setup));
+  const auto moving = worldMarkers(setup.world, Marks::kMoving);
+  if (!moving->markers.empty()) out.push_back(std::make_unique<MarkSource>(moving));
   return out;
 }
 

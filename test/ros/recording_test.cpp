@@ -7,7 +7,9 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <csignal>
+#include <iterator>
 #include <random>
+#include <set>
 
 #include "field_fusion/ros/cloud_message.h"
 #include "support/temp_folder.h"
@@ -39,6 +41,37 @@ TEST(Recording, LeavesNothingWhenItIsNotFinished) {
     recording.write("/points", cloudAt(5.0));
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Recording, TwoOfOneNameDoNotMixAndTheLastToFinishStays) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "a.bag";
+  Recording first(file.string()), second(file.string());
+  for (int i = 0; i < 3; ++i) {
+    first.write("/first", cloudAt(5.0 + i));
+    second.write("/second", cloudAt(8.0 + i));
+  }
+  const auto contents = [&file] {
+    std::set<std::string> topics;
+    const rosbag::Bag bag(file.string());
+    rosbag::View view(bag);
+    for (const auto& message : view) topics.insert(message.getTopic());
+    return std::pair(topics, view.size());
+  };
+  first.finish();
+  EXPECT_EQ(contents(), std::pair(std::set<std::string>{"/first"}, 3u));
+  second.finish();
+  EXPECT_EQ(contents(), std::pair(std::set<std::string>{"/second"}, 3u));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Recording, LeavesAnotherOnesPartAlone) {
+  const test::TempFolder folder;
+  const auto other = folder.write("a.bag.part", "of another");
+  Recording((folder.path() / "a.bag").string()).write("/points", cloudAt(5.0));
+  std::ifstream in(other);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "of another");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(Recording, RefusesAFileThatCannotBeWritten) {
@@ -80,9 +113,11 @@ TEST(Recording, LeavesNothingOnAFullDisk) {
     for (int i = 0; i < 20; ++i) recording.write("/points", noise);
     recording.finish();
   };
-  const FullDisk full(1 << 20);
-  EXPECT_THROW(fill(), rosbag::BagException);
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{1} << 20}) {
+    const FullDisk full(bytes);
+    EXPECT_THROW(fill(), rosbag::BagException);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << bytes;
+  }
 }
 
 TEST(Recording, LatchesStaticTransforms) {

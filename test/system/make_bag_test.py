@@ -62,7 +62,8 @@ def test_every_world_makes_a_bag_of_ordered_stamps_and_known_frames(world, tmp_p
     messages = read(tmp_path / "a.bag")
     frames = {name for t in transforms(messages, "/tf_static", "/tf") for name in (t.header.frame_id, t.child_frame_id)}
     sensors = [topic for topic in messages if not topic.startswith(("/truth/", "/tf"))]
-    assert sensors and {"/truth/pose", "/truth/bodies", "/truth/grid", "/truth/markers", "/truth/tf_static"} <= set(messages)
+    assert sensors and {"/truth/pose", "/truth/bodies", "/truth/grid", "/truth/markers", "/truth/moving_markers",
+                        "/truth/tf_static"} <= set(messages)
     for topic in sensors:
         stamps = [message.header.stamp for _, message in messages[topic]]
         assert all(a < b for a, b in zip(stamps, stamps[1:])) and stamps[0].to_sec() >= 1000 - CLOCK

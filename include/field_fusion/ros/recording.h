@@ -16,7 +16,8 @@
 
 namespace field_fusion {
 
-/// Writes `file` under the name FILE.part until `finish`; without that, nothing is left of it.
+/// Writes `file` under the name FILE.part until `finish`; without that, nothing is left of it. Several that
+/// write the same file at once have parts of their own (FILE.2.part ...); the last to finish gives the file.
 class Recording {
  public:
   /// Throws rosbag::BagException where the file cannot be written, std::runtime_error where that name is no
