@@ -74,14 +74,14 @@ std::string fileOf(const std::string& folder, const std::string& model) {
 
 const std::vector<SensorKind>& sensorKinds() {
   static const std::vector<SensorKind> kinds{
-      {"scanner2d", false, false, readAs<Scanner2dParams>},
-      {"lidar3d", false, false, readAs<Lidar3dParams>},
-      {"depth_camera", true, false, readAs<DepthCameraParams>},
-      {"camera", true, false, readAs<CameraParams>},
-      {"imu", false, false, readAs<ImuParams>},
-      {"gnss", false, false, readAs<GnssParams>},
-      {"wheel_odometry", false, true, readAs<WheelOdometryParams>},
-      {"leg_odometry", false, true, readAs<LegOdometryParams>},
+      {"scanner2d", true, false, false, readAs<Scanner2dParams>},
+      {"lidar3d", true, false, false, readAs<Lidar3dParams>},
+      {"depth_camera", true, true, false, readAs<DepthCameraParams>},
+      {"camera", true, true, false, readAs<CameraParams>},
+      {"imu", false, false, false, readAs<ImuParams>},
+      {"gnss", false, false, false, readAs<GnssParams>},
+      {"wheel_odometry", false, false, true, readAs<WheelOdometryParams>},
+      {"leg_odometry", false, false, true, readAs<LegOdometryParams>},
   };
   return kinds;
 }

@@ -8,6 +8,8 @@
 namespace field_fusion::core::sim {
 namespace {
 
+constexpr double kMostSize = 1000.0;  // [m]
+
 template <class Map>
 std::string names(const Map& map) {
   std::string out;
@@ -26,6 +28,8 @@ void check(const std::string& shape, const std::string& name, double value, doub
   if (value < 0.0 || (value == 0.0 && !mayBeZero(name, by_default)))
     throw std::invalid_argument(what + " must be " + (mayBeZero(name, by_default) ? "0 or more" : "above 0") +
                                 ", not " + std::to_string(value));
+  if (value != 0.0 && !(value >= 1e-6 && value <= kMostSize))
+    throw std::invalid_argument(what + " must be 0.000001 to 1000");
   if (name == "transparency" && value > 1.0) throw std::invalid_argument(what + " must be 0..1");
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "field_fusion/core/sim/shapes.h"
@@ -65,9 +66,14 @@ std::vector<Eigen::Vector2d> readRepeat(const Yaml& repeat) {
   const auto counts = repeat["count"].list(), steps = repeat["step"].list();
   if (counts.size() != 2 || steps.size() != 2) repeat.fail("count and step must be [along x, along y]");
   std::vector<Eigen::Vector2d> out;
-  for (int i = 0; i < counts[0].whole(1, 1000); ++i)
-    for (int j = 0; j < counts[1].whole(1, 1000); ++j)
-      out.emplace_back(i * steps[0].number(), j * steps[1].number());
+  int count[2];
+  double step[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    count[i] = counts[i].whole(1, 1000), step[i] = steps[i].place();
+    if (count[i] > 1 && step[i] == 0) steps[i].fail("must not be 0: the bodies would stand in each other");
+  }
+  for (int i = 0; i < count[0]; ++i)
+    for (int j = 0; j < count[1]; ++j) out.emplace_back(i * step[0], j * step[1]);
   return out;
 }
 
@@ -77,10 +83,24 @@ double footOf(const Yaml& yaml, const Model& model) {
   return floats ? 0.0 : model.box().min().z();
 }
 
-void checkName(const Yaml& yaml, const std::string& name, const std::vector<Body>& bodies) {
-  for (const Body& other : bodies)
-    if (other.name == name) yaml.fail("two bodies are named " + name);
-}
+/// What all bodies together must keep to.
+class Crowd {
+ public:
+  void add(const Body& body, const Yaml& yaml) {
+    if (!names_.insert(body.name).second) yaml.fail("two bodies are named " + body.name);
+    if (names_.size() > kMostBodies) yaml.fail("there are more than 65534 bodies");
+    const Eigen::Vector2d middle = body.way.pose(0).translation().head<2>();
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(body.size.head<2>().norm());
+    area_.extend(middle - reach).extend(middle + reach);
+    if (area_.volume() > kMostArea) yaml.fail("the bodies spread over more than 0.2 km^2, too much for a map");
+  }
+
+ private:
+  static constexpr std::size_t kMostBodies = 65534;  // that a label of 16 bits can tell
+  static constexpr double kMostArea = 0.2e6;         // [m^2]
+  std::set<std::string> names_;
+  Eigen::AlignedBox2d area_;
+};
 
 }  // namespace
 
@@ -94,6 +114,7 @@ Model readModel(const Yaml& yaml) {
 
 std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground, double size_spread, const Draws& draws) {
   std::vector<Body> bodies;
+  Crowd crowd;
   for (const Yaml& item : yaml.list()) {
     item.onlyKeys(joined(joined(kModelKeys, kWayKeys), {"name", "label", "repeat", "size_spread"}));
     Body body;
@@ -111,7 +132,7 @@ std::vector<Body> readBodies(const Yaml& yaml, const Ground& ground, double size
       body.model = scaled(nominal, 1.0 + draws.within(spread, "size of " + body.name), foot);
       body.size = body.model.box().sizes();
       body.way = readWay(item, ground, body.model, places[i]);
-      checkName(item, body.name, bodies);
+      crowd.add(body, item);
       bodies.push_back(body);
     }
   }

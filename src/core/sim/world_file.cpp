@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "field_fusion/core/sim/sensor_models.h"
 #include "world_parts.h"
 
 namespace field_fusion::core::sim {
@@ -9,14 +10,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostWaves = 32;  // that Caster takes
+constexpr double kBreaks = 0.0706;      // amplitude over length at which deep water breaks (Stokes, Michell)
+constexpr double kMostGrains = 96.0;    // in half a rough ground: each then still has four cells of its mesh
 
 Wave readWave(const Yaml& yaml) {
   yaml.onlyKeys({"amplitude", "length", "heading_deg", "phase_deg"});
   Wave wave;
   wave.amplitude = yaml["amplitude"].number(0, 100);
-  wave.length = yaml["length"].positive();
-  if (yaml.has("heading_deg")) wave.heading = radians(yaml["heading_deg"].number());
-  if (yaml.has("phase_deg")) wave.phase = radians(yaml["phase_deg"].number());
+  wave.length = yaml["length"].positive(0.01, 1e4);
+  if (wave.amplitude > kBreaks * wave.length)
+    yaml["amplitude"].fail(shortNumber(wave.amplitude) + " breaks: at a length of " + shortNumber(wave.length) +
+                           " it must not be above " + shortNumber(kBreaks * wave.length));
+  if (yaml.has("heading_deg")) wave.heading = yaml["heading_deg"].angle();
+  if (yaml.has("phase_deg")) wave.phase = yaml["phase_deg"].angle();
   return wave;
 }
 
@@ -48,7 +54,11 @@ Ground readGround(const Yaml& yaml) {
   }
   if (yaml.has("roughness")) ground.roughness = yaml["roughness"].number(0, 10);
   if (yaml.has("grain")) ground.grain = yaml["grain"].positive();
-  if (yaml.has("half_extent")) ground.half_extent = yaml["half_extent"].positive();
+  if (yaml.has("half_extent")) ground.half_extent = yaml["half_extent"].positive(0.1, 1e4);
+  if (ground.kind == Ground::Kind::kRough && ground.half_extent > kMostGrains * ground.grain)
+    yaml[yaml.has("grain") ? "grain" : "half_extent"].fail(
+        "a half_extent of " + shortNumber(ground.half_extent) + " is more than 96 grains of " +
+        shortNumber(ground.grain));
   if (yaml.has("seed")) ground.seed = static_cast<unsigned>(yaml["seed"].whole(0, 1000000000));
   if (yaml.has("waves"))
     for (const Yaml& wave : yaml["waves"].list()) ground.waves.push_back(readWave(wave));
@@ -62,7 +72,7 @@ Light readLight(const Yaml& yaml) {
                  "clouds", "cloud_size", "cloud_seed", "visibility"});
   Light light;
   Polar sun = polar(light.to_sun);
-  if (yaml.has("sun_azimuth_deg")) sun.azimuth = radians(yaml["sun_azimuth_deg"].number());
+  if (yaml.has("sun_azimuth_deg")) sun.azimuth = yaml["sun_azimuth_deg"].angle();
   if (yaml.has("sun_elevation_deg")) sun.elevation = radians(yaml["sun_elevation_deg"].number(-90, 90));
   light.to_sun = cartesian({1.0, sun.azimuth, sun.elevation});
   if (yaml.has("sun")) light.sun = yaml["sun"].number(0, 1000);
@@ -96,8 +106,17 @@ std::vector<Dimension> readDimensions(const Yaml& yaml) {
   return out;
 }
 
+/// What sees needs light: not below the ground, not in the robot's own body.
+void checkSees(const World& world, const Mount& mount, const Yaml& yaml) {
+  const Eigen::Vector3d p = (world.robot.way.pose(0) * mount.T_base_sensor).translation();
+  if (p.z() < world.ground.height(p.x(), p.y(), 0))
+    yaml.fail("the sensor " + mount.name + " is below the ground at the start");
+  if (inside(world.robot.model, mount.T_base_sensor.translation(), 0))
+    yaml.fail("the sensor " + mount.name + " is inside the robot's own body");
+}
+
 /// Sensors and the middle of the robot's own body, against every other body at the start.
-void checkRobotIsFree(const World& world, const Yaml& yaml) {
+void checkRobotIsFree(const World& world, const std::string& sensors, const Yaml& yaml) {
   const Transform T_world_base = world.robot.way.pose(0);
   const auto check = [&](const Yaml& at, const std::string& what, const Eigen::Vector3d& place) {
     for (const Body& body : world.bodies)
@@ -107,8 +126,11 @@ void checkRobotIsFree(const World& world, const Yaml& yaml) {
   const bool has_body = !world.robot.model.links.empty();
   check(yaml, "the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
   const auto& mounts = world.robot.mounts;
-  for (std::size_t i = 0; i < mounts.size(); ++i)
-    check(yaml["mounts"].list()[i], "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
+  for (std::size_t i = 0; i < mounts.size(); ++i) {
+    const Yaml item = yaml["mounts"].list()[i];
+    check(item, "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
+    if (sensorKind(sensors, mounts[i].model).sees) checkSees(world, mounts[i], item);
+  }
 }
 
 }  // namespace
@@ -126,8 +148,9 @@ World loadWorld(const std::string& file, const std::string& sensors, std::option
   if (yaml.has("dimensions")) world.dimensions = readDimensions(yaml["dimensions"]);
   const std::string beside = (fs::path(file).parent_path() / ".." / "sensors").lexically_normal().string();
   if (yaml.has("robot")) {
-    world.robot = readRobot(yaml["robot"], world.ground, sensors.empty() ? beside : sensors, draws);
-    checkRobotIsFree(world, yaml["robot"]);
+    const std::string& folder = sensors.empty() ? beside : sensors;
+    world.robot = readRobot(yaml["robot"], world.ground, folder, draws);
+    checkRobotIsFree(world, folder, yaml["robot"]);
   }
   return world;
 }

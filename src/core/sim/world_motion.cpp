@@ -57,9 +57,12 @@ Shake readShake(const Yaml& yaml) {
   }
   for (const Yaml& term : yaml.list()) {
     term.onlyKeys({"frequency", "roll_deg", "pitch_deg", "yaw_deg", "x", "y", "z", "phase_deg"});
-    const auto get = [&term](const char* key) { return term.has(key) ? term[key].number() : 0.0; };
-    shake.terms.push_back(termOf({term["frequency"].positive(), get("roll_deg"), get("pitch_deg"),
-                                  get("yaw_deg"), get("x"), get("y"), get("z"), get("phase_deg")},
+    const auto get = [&term](const char* key, double most) {
+      return term.has(key) ? term[key].number(-most, most) : 0.0;
+    };
+    shake.terms.push_back(termOf({term["frequency"].positive(), get("roll_deg", 180), get("pitch_deg", 180),
+                                  get("yaw_deg", 180), get("x", 100), get("y", 100), get("z", 100),
+                                  get("phase_deg", 3600)},
                                  1.0));
   }
   return shake;
@@ -67,25 +70,25 @@ Shake readShake(const Yaml& yaml) {
 
 /// [x, y], [x, y, yaw_deg] or [x, y, z, yaw_deg].
 WayPoint readPlace(const Yaml& yaml) {
-  const auto n = yaml.numbers(2, 4);
-  WayPoint point{{n[0], n[1], n.size() == 4 ? n[2] : 0.0}, kNaN, 0.0};
-  if (n.size() > 2) point.yaw = radians(n.back());
+  const auto items = yaml.list(2, 4);
+  WayPoint point{{items[0].place(), items[1].place(), items.size() == 4 ? items[2].place() : 0.0}, kNaN, 0.0};
+  if (items.size() > 2) point.yaw = items.back().angle();
   return point;
 }
 
 WayPoint readWayPoint(const Yaml& yaml) {
   if (yaml.isList()) return readPlace(yaml);
   yaml.onlyKeys({"at", "yaw_deg", "pause"});
-  const auto at = yaml["at"].numbers(2, 3);
-  WayPoint point{{at[0], at[1], at.size() == 3 ? at[2] : 0.0}, kNaN, 0.0};
-  if (yaml.has("yaw_deg")) point.yaw = radians(yaml["yaw_deg"].number());
+  const auto at = yaml["at"].list(2, 3);
+  WayPoint point{{at[0].place(), at[1].place(), at.size() == 3 ? at[2].place() : 0.0}, kNaN, 0.0};
+  if (yaml.has("yaw_deg")) point.yaw = yaml["yaw_deg"].angle();
   if (yaml.has("pause")) point.pause = yaml["pause"].number(0, 1e6);
   return point;
 }
 
 Trajectory::Limits readLimits(const Yaml& motion) {
   Trajectory::Limits limits;
-  if (motion.has("speed")) limits.speed = motion["speed"].positive();
+  if (motion.has("speed")) limits.speed = motion["speed"].positive(0.001, 1000);
   if (motion.has("acceleration")) limits.acceleration = motion["acceleration"].positive();
   if (motion.has("turn_rate_deg")) limits.turn_rate = radians(motion["turn_rate_deg"].positive());
   if (motion.has("corner")) limits.corner = motion["corner"].number(0, 1e6);
@@ -104,7 +107,8 @@ Ride readRide(const Yaml& yaml, const Ground& ground) {
 /// Samples of the way, against the edge of a rough ground.
 void checkStaysOn(const Ground& ground, const Trajectory& way, const Yaml& yaml) {
   if (ground.kind != Ground::Kind::kRough) return;
-  for (double t = 0; t <= way.duration(); t += 0.1)
+  const double step = std::max(0.1, way.duration() / 1e6);
+  for (double t = 0; t <= way.duration(); t += step)
     if (const Eigen::Vector2d p = way.pose(t).translation().head<2>();
         p.cwiseAbs().maxCoeff() > ground.half_extent)
       yaml.fail("leaves the ground, which ends " + shortNumber(ground.half_extent) + " m from the origin");
@@ -121,10 +125,11 @@ Transform frameOf(const Eigen::Vector3d& place, const Eigen::Vector3d& roll_pitc
 }
 
 Transform readFrame(const Yaml& yaml) {
-  auto n = yaml.numbers(3, 6);
+  const auto n = yaml.list(3, 6);
   if (n.size() != 3 && n.size() != 6) yaml.fail("must be [x, y, z] or [x, y, z, roll, pitch, yaw]");
-  n.resize(6, 0.0);
-  return frameOf({n[0], n[1], n[2]}, {radians(n[3]), radians(n[4]), radians(n[5])});
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  if (n.size() == 6) turn = {n[3].angle(), n[4].angle(), n[5].angle()};
+  return frameOf({n[0].place(), n[1].place(), n[2].place()}, turn);
 }
 
 Trajectory readWay(const Yaml& yaml, const Ground& ground, const Model& model,

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <set>
 #include <stdexcept>
+
+#include "field_fusion/core/base/types.h"
 
 namespace field_fusion::core::sim {
 namespace {
@@ -28,6 +31,11 @@ std::size_t difference(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string shortNumber(double value) {
+  if (value != 0 && !(std::abs(value) >= 1e-6 && std::abs(value) < 1e9)) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.6g", value);
+    return digits;
+  }
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -53,7 +61,8 @@ Yaml Yaml::file(const std::string& path) {
 }
 
 void Yaml::fail(const std::string& reason) const {
-  throw std::runtime_error(*file_ + ":" + std::to_string(node_.Mark().line + 1) + ": " +
+  const int line = std::max(node_.Mark().line, 0) + 1;  // an empty file has none
+  throw std::runtime_error(*file_ + ":" + std::to_string(line) + ": " +
                            (key_.empty() ? "" : key_ + ": ") + reason);
 }
 
@@ -112,11 +121,15 @@ double Yaml::number(double lo, double hi) const {
   return value;
 }
 
-double Yaml::positive() const {
+double Yaml::positive(double lo, double hi) const {
   const double value = number();
   if (value <= 0) fail(shortNumber(value) + " must be above 0");
-  return value;
+  return number(lo, hi);
 }
+
+double Yaml::place() const { return number(-1e4, 1e4); }
+
+double Yaml::angle() const { return radians(number(-3600, 3600)); }
 
 int Yaml::whole(int lo, int hi) const {
   const double value = number(lo, hi);
@@ -137,7 +150,12 @@ std::string Yaml::text() const {
 
 std::vector<double> Yaml::numbers(std::size_t fewest, std::size_t most) const {
   std::vector<double> out;
-  for (const Yaml& item : list()) out.push_back(item.number());
+  for (const Yaml& item : list(fewest, most)) out.push_back(item.number());
+  return out;
+}
+
+std::vector<Yaml> Yaml::list(std::size_t fewest, std::size_t most) const {
+  std::vector<Yaml> out = list();
   if (out.size() >= fewest && out.size() <= most) return out;
   fail("must be a list of " + std::to_string(fewest) + (fewest == most ? "" : " to " + std::to_string(most)) +
        " numbers");

@@ -33,10 +33,13 @@ class Yaml {
 
   double number() const;  ///< finite
   double number(double lo, double hi) const;
-  double positive() const;
+  double positive(double lo = 1e-6, double hi = 1e6) const;
+  double place() const;     ///< [m] at most 10 km from the origin: rays are cast in single precision
+  double angle() const;     ///< [rad] of degrees, at most ten turns
   int whole(int lo, int hi) const;
   bool flag() const;
   std::string text() const;
+  std::vector<Yaml> list(std::size_t fewest, std::size_t most) const;  ///< of numbers
   std::vector<double> numbers(std::size_t fewest, std::size_t most) const;
   std::string dump() const;  ///< as YAML again
   std::size_t oneOf(const std::vector<std::string>& choices) const;
@@ -51,7 +54,7 @@ class Yaml {
   std::string key_;
 };
 
-/// As people write it, to six digits after the point.
+/// As people write it, to six digits after the point; with an exponent where that is shorter or more.
 std::string shortNumber(double value);
 
 /// " (did you mean NAME?)" for the one most like it, or nothing where none is.

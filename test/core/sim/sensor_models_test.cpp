@@ -42,8 +42,9 @@ TEST(SensorModels, TheTableHasAnEntryForEachKindOfParameters) {
     const SensorKind& kind = sensorKinds()[i];
     EXPECT_TRUE(seen.insert(kind.name).second) << kind.name;
     for (const auto& entry : std::filesystem::directory_iterator(kFolder))
-      if (std::string(kind.name) == sensorKind(kFolder, entry.path().stem()).name)
+      if (std::string(kind.name) == sensorKind(kFolder, entry.path().stem()).name) {
         EXPECT_EQ(kind.read(entry.path(), {}).index(), i) << entry.path();
+      }
   }
 }
 

@@ -24,6 +24,7 @@ using Overrides = std::map<std::string, std::string>;
 
 struct SensorKind {
   const char* name;  ///< as sensor files spell it in `kind`
+  bool sees;         ///< casts rays
   bool optical;      ///< makes pictures, so it has an optical frame too
   bool odometry;     ///< its frame is where the way began, not a place on the robot
   SensorParams (*read)(const std::string& file, const Overrides& overrides);  ///< throws as readSensorFile

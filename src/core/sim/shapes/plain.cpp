@@ -1,4 +1,6 @@
 // Solids of one material, walls, and what looks like them.
+#include <stdexcept>
+
 #include "builder.h"
 #include "kinds.h"
 #include "materials.h"
@@ -28,6 +30,7 @@ Material leather() {
 Model stack(const ShapeParams& p) {
   Builder builder;
   const auto count = static_cast<int>(of(p, "count"));
+  if (count < 1) throw std::invalid_argument("count must be at least 1");
   const float height = of(p, "height") / static_cast<float>(count);
   for (int i = 0; i < count; ++i) {
     const float shrink = 1.f - 0.15f * static_cast<float>(i % 3);

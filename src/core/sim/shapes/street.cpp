@@ -1,4 +1,6 @@
 // What stands beside roads, paths and fields.
+#include <stdexcept>
+
 #include "builder.h"
 #include "kinds.h"
 #include "materials.h"
@@ -9,7 +11,9 @@ namespace {
 /// Calls `each` at even places from -half to half, both ends included, at most `gap` apart.
 template <class Each>
 void along(float half, float gap, Each&& each) {
-  const int pieces = std::max(1, static_cast<int>(std::ceil(2.f * half / gap)));
+  const float wanted = std::ceil(2.f * half / gap);
+  if (wanted > 10000.f) throw std::invalid_argument("gap must leave at most 10000 pieces");
+  const int pieces = std::max(1, static_cast<int>(wanted));
   for (int i = 0; i <= pieces; ++i)
     each(-half + 2.f * half * static_cast<float>(i) / static_cast<float>(pieces));
 }
