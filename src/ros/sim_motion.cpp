@@ -2,6 +2,10 @@
 #include <tf2_eigen/tf2_eigen.h>
 #include <boost/make_shared.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "field_fusion/core/sim/gnss.h"
 #include "field_fusion/core/sim/imu.h"
 #include "field_fusion/core/sim/odometry.h"
@@ -16,6 +20,10 @@ namespace sim = core::sim;
 constexpr double kEarthRadius = 6378137.0;                // m, WGS 84
 constexpr double kLatitude = 25.15, kLongitude = 121.78;  // deg of the world's origin, near Keelung
 constexpr double kUnknown = 1e6;                          // variance of what an odometry does not measure
+constexpr double kLeast = 1e-9;                           // variance of what has no error: a filter cannot take 0
+
+/// NaN: not measured.
+double variance(double sigma) { return std::isnan(sigma) ? kUnknown : std::max(sigma * sigma, kLeast); }
 
 void set(geometry_msgs::Vector3& out, const Eigen::Vector3d& v) { tf2::toMsg(v, out); }
 
@@ -35,6 +43,10 @@ class ImuSource : public SimSource {
     message->orientation_covariance[0] = -1.0;  // by sensor_msgs/Imu: not measured
     set(message->angular_velocity, sample.angular_rate);
     set(message->linear_acceleration, sample.specific_force);
+    for (const std::size_t axis : {0, 1, 2}) {
+      message->angular_velocity_covariance[4 * axis] = variance(sample.sigma_rate);
+      message->linear_acceleration_covariance[4 * axis] = variance(sample.sigma_force);
+    }
     send(sink, mount_.topic("data"), ready, message);
   }
 
@@ -90,16 +102,20 @@ class OdometrySource : public SimSource {
     message->pose.pose = tf2::toMsg(sample.T_odom_base);
     set(message->twist.twist.linear, sample.velocity);
     set(message->twist.twist.angular, sample.angular_rate);
-    auto& variance = message->pose.covariance;
-    for (const std::size_t axis : {2, 3, 4}) variance[7 * axis] = kUnknown;
-    variance[0] = variance[7] = std::pow(sample.sigma_position, 2);
-    variance[35] = std::pow(sample.sigma_yaw, 2);
+    const double place = sample.sigma_position, tilt = sample.sigma_tilt;
+    setDiagonal(message->pose.covariance, {place, place, sample.sigma_height, tilt, tilt, sample.sigma_yaw});
+    const Eigen::Vector3d &v = sample.sigma_velocity, &w = sample.sigma_angular_rate;
+    setDiagonal(message->twist.covariance, {v.x(), v.y(), v.z(), w.x(), w.y(), w.z()});
     send(sink, mount_.name(), ready, message);
     if (!tf_) return;
     auto tf = boost::make_shared<tf2_msgs::TFMessage>();
     tf->transforms.push_back(
         transformMessage(message->header.stamp, mount_.name(), "base", sample.T_odom_base));
     send(sink, "/tf", ready, tf);
+  }
+
+  static void setDiagonal(boost::array<double, 36>& covariance, const std::array<double, 6>& sigma) {
+    for (std::size_t i = 0; i < 6; ++i) covariance[7 * i] = variance(sigma[i]);
   }
 
   SimMount mount_;

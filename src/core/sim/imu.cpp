@@ -20,8 +20,11 @@ ImuSample perfectImu(const Trajectory& way, const Transform& T_base_imu, double 
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(before.linear().transpose() * after.linear()));
   const Eigen::Vector3d acceleration =
       (before.translation() - 2 * now.translation() + after.translation()) / (half * half);
-  return {time, turn.axis() * turn.angle() / span,
-          now.linear().transpose() * (acceleration + Eigen::Vector3d(0, 0, kGravity))};
+  ImuSample sample;
+  sample.time = time;
+  sample.angular_rate = turn.axis() * turn.angle() / span;
+  sample.specific_force = now.linear().transpose() * (acceleration + Eigen::Vector3d(0, 0, kGravity));
+  return sample;
 }
 
 Imu::Imu(const ImuParams& params, const Trajectory& way, const Transform& T_base_imu, std::uint64_t seed)
@@ -45,6 +48,11 @@ ImuSample Imu::next() {
   sample.specific_force =
       clipped(sample.specific_force + accel_bias_ + draw(params_.accel_noise * kMicro * bandwidth),
               params_.accel_range * kGravity);
+  const auto error = [&](double noise, double bias, double walk) {
+    return Eigen::Vector3d(noise * bandwidth, bias, walk * std::sqrt(sample.time)).norm();
+  };
+  sample.sigma_rate = radians(error(params_.gyro_noise, params_.gyro_bias, params_.gyro_walk));
+  sample.sigma_force = kMilli * error(1e-3 * params_.accel_noise, params_.accel_bias, params_.accel_walk);
   gyro_bias_ += draw(radians(params_.gyro_walk) * std::sqrt(period));
   accel_bias_ += draw(params_.accel_walk * kMilli * std::sqrt(period));
   return sample;

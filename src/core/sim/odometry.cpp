@@ -55,6 +55,13 @@ Eigen::Vector4d StrideError::step(const Eigen::Vector3d& position) {
   return error_;
 }
 
+Eigen::Vector3d StrideError::sigmaRate(double rate) const {
+  const double root = std::sqrt(stride_length_), slips = std::sqrt(noise_.slip_rate) * root;
+  return Eigen::Vector3d(std::hypot(noise_.distance * root, noise_.slip * slips), noise_.distance * root,
+                         std::hypot(noise_.yaw * root, noise_.slip_yaw * slips)) *
+         (rate / samples_);
+}
+
 WheelOdometry::WheelOdometry(const WheelOdometryParams& params, const Trajectory& way, std::uint64_t seed)
     : params_(checked(params)), way_(way), error_(noiseOf(params_), params_.rate, seed) {
   scale_ = 1 + params_.scale_error / 100 * error_.draw();
@@ -87,6 +94,13 @@ OdometrySample WheelOdometry::next() {
   const double d = error_.distance();
   sample.sigma_position = std::hypot(params_.scale_error / 100 * d, params_.distance_noise * std::sqrt(d));
   sample.sigma_yaw = radians(std::hypot(params_.yaw_drift * d, params_.yaw_noise * std::sqrt(d)));
+  const Eigen::Vector3d by_stride = error_.sigmaRate(params_.rate);
+  const double speed = std::abs(sample.velocity.x());
+  sample.sigma_velocity.x() = std::hypot(params_.scale_error / 100 * speed, by_stride[0]);
+  sample.sigma_angular_rate.z() =
+      Eigen::Vector3d(params_.turn_error / 100 * sample.angular_rate.z(), radians(params_.yaw_drift) * speed,
+                      by_stride[2])
+          .norm();
   return sample;
 }
 
@@ -131,6 +145,14 @@ OdometrySample LegOdometry::next() {
   sample.sigma_yaw = radians(Eigen::Vector3d(params_.yaw_drift * d, params_.yaw_noise * std::sqrt(d),
                                              params_.slip_yaw * std::sqrt(slips))
                                  .norm());
+  const double scale = params_.scale_error / 100;
+  sample.sigma_height = std::hypot(scale * position_.z(), params_.distance_noise * std::sqrt(d));
+  sample.sigma_tilt = 0.0;
+  const Eigen::Vector3d by_stride = error_.sigmaRate(params_.rate);
+  const Eigen::Array3d of_noise(by_stride[0], by_stride[0], by_stride[1]);
+  sample.sigma_velocity = ((scale * sample.velocity).array().square() + of_noise.square()).sqrt();
+  sample.sigma_angular_rate = {
+      0.0, 0.0, std::hypot(radians(params_.yaw_drift) * sample.velocity.x(), by_stride[2])};
   last_ = pose;
   return sample;
 }

@@ -98,6 +98,27 @@ TEST(SimImu, IsItsSeeds) {
   }
 }
 
+/// At rest, over seeds: noise, bias and its walk add up as independent errors do.
+TEST(SimImu, TellsTheErrorToExpect) {
+  constexpr int kSeeds = 500, kSample = 400;  // at 2 s
+  const ImuParams params;
+  double rate = 0.0, force = 0.0;
+  ImuSample sample;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    Imu imu(params, Trajectory(), rolled(0), static_cast<std::uint64_t>(seed));
+    for (int i = 0; i <= kSample; ++i) sample = imu.next();
+    rate += sample.angular_rate.squaredNorm() / (3 * kSeeds);
+    force += (sample.specific_force - Eigen::Vector3d(0, 0, kGravity)).squaredNorm() / (3 * kSeeds);
+  }
+  // noise of 0.014 deg/s/sqrt(Hz) over 100 Hz, bias of 1 deg/s, walk of 0.002 deg/s/sqrt(s) over 2 s
+  EXPECT_NEAR(sample.sigma_rate, radians(std::sqrt(0.14 * 0.14 + 1.0 + 0.002 * 0.002 * 2)), 1e-9);
+  // 150 ug/sqrt(Hz): 1.5 mg; bias of 70 mg, walk of 0.02 mg/sqrt(s)
+  EXPECT_NEAR(sample.sigma_force, 1e-3 * kGravity * std::sqrt(1.5 * 1.5 + 70.0 * 70.0 + 0.02 * 0.02 * 2), 1e-9);
+  const double slack = 4 * std::sqrt(2.0 / (3 * kSeeds));  // four deviations of a variance's estimate
+  EXPECT_NEAR(rate / std::pow(sample.sigma_rate, 2), 1.0, slack);
+  EXPECT_NEAR(force / std::pow(sample.sigma_force, 2), 1.0, slack);
+}
+
 TEST(SimImu, SaysNoMoreThanItsRange) {
   ImuParams params = perfect();
   params.accel_range = 0.5;

@@ -96,6 +96,24 @@ TEST(WheelOdometry, DriftGrowsAsConfigured) {
   EXPECT_NEAR(yaw.deviation, 0.5 * 10, 0.6);  // sqrt(100 m) = 10
 }
 
+/// At a steady 5 m/s: strides of 2.5 m in 0.5 s.
+TEST(WheelOdometry, TellsTheErrorsToExpectOfItsRates) {
+  const Trajectory way = straight(100);
+  OdometrySample last;
+  const auto at = [&](std::uint64_t seed) { return last = atEnd(WheelOdometry({}, way, seed), 50, 3); };
+  const double velocity = std::hypot(0.01 * 5, 0.005 * std::sqrt(2.5) / 0.5);
+  const double turn = std::hypot(0.1 * 5, 0.2 * std::sqrt(2.5) / 0.5);  // [deg/s]
+  const Spread speeds = over(400, [&](std::uint64_t seed) { return at(seed).velocity.x(); });
+  EXPECT_NEAR(speeds.deviation, velocity, 0.14 * velocity);  // four deviations of it
+  EXPECT_NEAR(last.sigma_velocity.x(), velocity, 0.05 * velocity);
+  const Spread turns = over(400, [&](std::uint64_t seed) { return degrees(at(seed).angular_rate.z()); });
+  EXPECT_NEAR(turns.deviation, turn, 0.14 * turn);
+  EXPECT_NEAR(degrees(last.sigma_angular_rate.z()), turn, 0.05 * turn);
+  for (const double sigma : {last.sigma_height, last.sigma_tilt, last.sigma_velocity.y(), last.sigma_velocity.z(),
+                             last.sigma_angular_rate.x(), last.sigma_angular_rate.y()})
+    EXPECT_TRUE(std::isnan(sigma));  // it does not see them
+}
+
 TEST(WheelOdometry, RefusesARateOfZero) {
   WheelOdometryParams params;
   params.rate = 0;
@@ -141,6 +159,27 @@ TEST(LegOdometry, SlipsComeWithTheDistance) {
     return degrees(yawOf(atEnd(LegOdometry(params, way, seed), 100, 22).T_odom_base));
   });
   EXPECT_NEAR(yaw.deviation, std::sqrt(50.0), 0.9);  // 50 slips of 1 degree
+}
+
+TEST(LegOdometry, TellsTheErrorsToExpectOfItsRates) {
+  const Trajectory way = straight(100);
+  LegOdometryParams params;
+  params.rate = 100;
+  OdometrySample last;
+  const auto at = [&](std::uint64_t seed) { return last = atEnd(LegOdometry(params, way, seed), 100, 3); };
+  const double noise = 0.01 * std::sqrt(2.5) / 0.5, slips = std::sqrt(0.05 * 2.5) / 0.5;
+  const Eigen::Vector3d velocity(std::hypot(0.01 * 5, noise, 0.03 * slips), std::hypot(noise, 0.03 * slips), noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Spread spread = over(400, [&](std::uint64_t seed) { return at(seed).velocity[axis]; });
+    EXPECT_NEAR(spread.deviation, velocity[axis], 0.2 * velocity[axis]) << axis;  // slips are rare and large
+    EXPECT_NEAR(last.sigma_velocity[axis], velocity[axis], 0.05 * velocity[axis]) << axis;
+  }
+  const double turn = std::hypot(0.05 * 5, 0.1 * std::sqrt(2.5) / 0.5, 0.5 * slips);  // [deg/s]
+  EXPECT_NEAR(degrees(last.sigma_angular_rate.z()), turn, 0.05 * turn);
+  EXPECT_EQ(last.sigma_tilt, 0.0);
+  EXPECT_EQ(last.sigma_angular_rate.head<2>(), Eigen::Vector2d::Zero());
+  const Spread height = over(400, [&](std::uint64_t seed) { return at(seed).T_odom_base.translation().z(); });
+  EXPECT_NEAR(height.deviation, last.sigma_height, 0.2 * last.sigma_height);
 }
 
 TEST(LegOdometry, ShakingIsNoDistance) {

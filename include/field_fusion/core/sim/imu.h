@@ -41,6 +41,8 @@ struct ImuSample {
   Eigen::Vector3d angular_rate{0, 0, 0};  ///< [rad/s] in the sensor's frame
   Eigen::Vector3d specific_force{0, 0,
                                  0};  ///< [m/s^2] in the sensor's frame; +g upwards when it stands still
+  double sigma_rate = 0.0;            ///< [rad/s] error to expect of each axis: noise, bias and its walk
+  double sigma_force = 0.0;           ///< [m/s^2]
 };
 
 /// What a perfect unit at `T_base_imu` feels, as the mean over `span` [s] about `time`: lever arm and shake

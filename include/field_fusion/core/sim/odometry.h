@@ -72,6 +72,10 @@ struct OdometrySample {
   Eigen::Vector3d angular_rate{0, 0, 0};          ///< [rad/s] in the base's frame
   double sigma_position = 0.0;  ///< [m] error to expect of x and y, by the parameters and the distance
   double sigma_yaw = 0.0;       ///< [rad]
+  // Errors to expect of the rest; NaN where it is not measured.
+  double sigma_height = kNaN, sigma_tilt = kNaN;                          ///< [m], [rad] of roll and pitch
+  Eigen::Vector3d sigma_velocity = Eigen::Vector3d::Constant(kNaN);      ///< [m/s]
+  Eigen::Vector3d sigma_angular_rate = Eigen::Vector3d::Constant(kNaN);  ///< [rad/s]
 };
 
 /// The error that grows with the distance walked. It is drawn for each stride of 0.5 s, from the way made in
@@ -89,6 +93,8 @@ class StrideError {
   double draw() { return normal_(random_); }        ///< standard normal
   double distance() const { return distance_; }     ///< [m] up to the last stride
   double stride() const { return stride_length_; }  ///< [m] of the last stride
+  /// Deviation of the errors' rates along x or y, z [m/s] and yaw [rad/s], by the last stride's length.
+  Eigen::Vector3d sigmaRate(double rate) const;
 
  private:
   void beginStride(const Eigen::Vector3d& position);
