@@ -23,10 +23,15 @@ sensor_msgs::CameraInfo infoOf(const std_msgs::Header& header, const sim::Camera
   return info;
 }
 
+/// [s] from the stamp to the end of the longest exposure.
+double halfExposure(const sim::CameraParams& p) {
+  return 0.5e-3 * (p.auto_exposure ? p.max_exposure_time : p.exposure_time);
+}
+
 class CameraSource : public SimSource {
  public:
   CameraSource(const SimSetup& setup, const sim::Mount& mount, const sim::CameraParams& params)
-      : SimSource(params.rate),
+      : SimSource(params.rate, halfExposure(params)),
         setup_(setup),
         mount_(setup, mount),
         params_(params),

@@ -34,7 +34,9 @@ std::string frameOf(const std::string& body, std::size_t link) {
 std_msgs::ColorRGBA colourOf(const sim::Material& material) {
   const Eigen::Vector4f shown = sim::shownColour(material);
   std_msgs::ColorRGBA colour;
-  colour.r = shown[0], colour.g = shown[1], colour.b = shown[2], colour.a = shown[3];
+  colour.r = shown[0], colour.g = shown[1], colour.b = shown[2];
+  // RViz draws what is not opaque in the order of its triangles: backs, which are black, come over fronts
+  colour.a = material.transparency < 0.5f ? 1.f : shown[3];
   return colour;
 }
 

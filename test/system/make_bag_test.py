@@ -1,5 +1,6 @@
 """make_bag: what stands in its bags, and what is said when there is none."""
 import collections
+import math
 import os
 import signal
 import subprocess
@@ -80,6 +81,37 @@ def test_a_sensor_comes_at_its_rate_and_when_it_is_done(tmp_path):
         assert scan.header.stamp.to_sec() == pytest.approx(1000 + 0.02 * i, abs=1e-8)
         assert (recorded - scan.header.stamp).to_sec() == pytest.approx(0.02, abs=1e-8)
         assert scan.ranges[135 * 2] == pytest.approx(3.9, abs=0.15)  # straight ahead
+
+
+def test_a_picture_comes_when_its_exposure_ends(tmp_path):
+    cameras = ("cam, model: camera_640, auto_exposure: false, exposure_time: 20", "auto, model: camera_640, max_exposure_time: 10")
+    mounts = "".join(f"    - {{name: {camera}, pose: [0, 0, 0.5], clock_error: 0}}\n" for camera in cameras)
+    make(world_file(tmp_path, LIDAR + mounts), tmp_path / "a.bag", "--seconds", "0.3")
+    messages = read(tmp_path / "a.bag")
+    for name, half in (("cam", 0.01), ("auto", 0.005)):
+        pictures = messages[f"/{name}/image_raw"]
+        assert pictures and all((time - m.header.stamp).to_sec() == pytest.approx(half, abs=1e-8) for time, m in pictures)
+
+
+def test_motion_sensors_tell_their_errors(tmp_path):
+    names = ("imu, model: bmi055", "wheels, model: wheel_odometry", "legs, model: leg_odometry")
+    mounts = "".join(f"    - {{name: {name}}}\n" for name in names)
+    moving = LIDAR.replace("pose: [0, 0, 0]\n", "motion: {points: [[0, 0], [2, 0]]}\n")
+    make(world_file(tmp_path, moving + mounts), tmp_path / "a.bag", "--seconds", "2")
+    messages = read(tmp_path / "a.bag")
+    imu = messages["/imu/data"][0][1]
+    assert imu.orientation_covariance[0] == -1  # sensor_msgs/Imu and REP-145: there is none
+    # bmi055 at 200 Hz: noise of 0.014 deg/s/sqrt(Hz) over 100 Hz and a bias of 1 deg/s; 150 ug/sqrt(Hz) and 70 mg
+    rate, force = math.radians(1) ** 2 * (0.14 ** 2 + 1), 9.80665e-3 ** 2 * (1.5 ** 2 + 70 ** 2)
+    assert imu.angular_velocity_covariance == pytest.approx([rate, 0, 0, 0, rate, 0, 0, 0, rate])
+    assert imu.linear_acceleration_covariance == pytest.approx([force, 0, 0, 0, force, 0, 0, 0, force])
+    unknown = {"/wheels": ({2, 3, 4}, {1, 2, 3, 4}), "/legs": (set(), set())}
+    for topic, (places, rates) in unknown.items():
+        odometry = messages[topic][-1][1]
+        for covariance, unseen in ((odometry.pose.covariance, places), (odometry.twist.covariance, rates)):
+            for axis in range(6):
+                assert covariance[7 * axis] == 1e6 if axis in unseen else 0 < covariance[7 * axis] < 1
+            assert all(covariance[i] == 0 for i in range(36) if i % 7)
 
 
 def test_truth_of_a_scan_has_no_error_and_names_the_body(tmp_path):
