@@ -52,7 +52,7 @@ boost::shared_ptr<visualization_msgs::MarkerArray> ObstacleMarkers::draw(const O
     out->markers.back().text = label.text;
     out->markers.back().pose.position = pointOf(label.place);
   }
-  removeVanished(*out);
+  removeVanished(obstacles.header, *out);
   return out;
 }
 
@@ -119,13 +119,14 @@ visualization_msgs::Marker ObstacleMarkers::marker(const std_msgs::Header& heade
   return out;
 }
 
-void ObstacleMarkers::removeVanished(visualization_msgs::MarkerArray& out) {
+void ObstacleMarkers::removeVanished(const std_msgs::Header& header, visualization_msgs::MarkerArray& out) {
   std::vector<std::pair<std::string, int>> now;
   for (const auto& marker : out.markers) now.emplace_back(marker.ns, marker.id);
   std::sort(now.begin(), now.end());
   for (const auto& [ns, id] : shown_) {
     if (std::binary_search(now.begin(), now.end(), std::make_pair(ns, id))) continue;
     Marker gone;
+    gone.header = header;  // RViz drops what has no frame, and the mark would stay
     gone.ns = ns;
     gone.id = id;
     gone.action = Marker::DELETE;

@@ -132,7 +132,10 @@ TEST(ObstacleMarkers, WhatVanishesIsDeletedOnce) {
   const auto second = markers.draw(arrayOf({kPair}));
   std::set<std::string> deleted;
   for (const auto& m : second->markers)
-    if (m.action == Marker::DELETE) deleted.insert(m.ns);
+    if (m.action == Marker::DELETE) {
+      deleted.insert(m.ns);
+      EXPECT_FALSE(m.header.frame_id.empty()) << "RViz drops a mark without a frame, also one that deletes";
+    }
   EXPECT_EQ(deleted, (std::set<std::string>{"lidar_alone", "box_alone", "label_alone"}));
   for (const auto& m : markers.draw(arrayOf({kPair}))->markers) EXPECT_EQ(m.action, Marker::ADD);
 }

@@ -55,7 +55,7 @@ class ObstacleMarkers {
   void addLabel(const Obstacle& obstacle, Layer layer, const Eigen::Vector3d& top);
   void labelNearest(const std::vector<Obstacle>& obstacles);
   Marker marker(const std_msgs::Header& header, Layer layer, int id, double size) const;
-  void removeVanished(visualization_msgs::MarkerArray& out);
+  void removeVanished(const std_msgs::Header& header, visualization_msgs::MarkerArray& out);
 
   MarkersParams params_;
   std::map<Layer, Points> points_;  // of each layer that is one marker

@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
               "3: bodies[0].params: box: length must be 0.000001 to 1000"},
         Fault{"bodies:\n - {name: a, shape: fence, pose: [0, 0], params: {gap: 0.0001}}\n",
               "2: bodies[0].params: gap must leave at most 10000 pieces"},
-        Fault{"bodies:\n - {name: a, shape: stack, pose: [0, 0], params: {count: 0.5}}\n",
+        Fault{"bodies:\n - {name: a, shape: stacked_boxes, pose: [0, 0], params: {count: 0.5}}\n",
               "2: bodies[0].params: count must be at least 1"},
         Fault{"robot: {motion: {points: [[0, 0], [2, 0]], speed: 1.0e-300}}\n",
               "1: robot.motion.speed: 1e-300 is outside [0.001, 1000]"},
