@@ -6,10 +6,12 @@ import stage_run
 import usv_harbour
 import usv_positions
 import usv_report
+import usv_timing
 
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
 PARTS = ("table1", "far", "harbour")
+TIMED = ("timing",)  # in real time: on a machine that does nothing else
 MODEL = "models/usv.onnx"
 
 
@@ -18,7 +20,8 @@ def options(parser):
     parser.add_argument("--detections", choices=("model", "truth"), default="model",
                         help="truth: what the simulated picture truly shows stands in for the detector")
     parser.add_argument("--places", nargs="+", metavar="PLACE", help="only these places of table1 (0200 ...) and far (0 ... 29)")
-    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="of the experiment (default: all)")
+    parser.add_argument("--parts", nargs="+", choices=PARTS + TIMED, default=PARTS,
+                        help=f"of the experiment (default: {' '.join(PARTS)})")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
 
 
@@ -28,6 +31,8 @@ def check(given):
     unknown = set(given.places or []) - known
     if unknown:
         raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
+    if set(given.parts) <= {"timing"}:
+        given.detections = "truth"  # a detector has no part in it
     if given.detections == "truth":
         if given.model:
             raise ValueError("--model and --detections truth exclude one another")
@@ -53,6 +58,11 @@ def run(experiment):
     if tallies:
         experiment.table("usv_harbour", usv_harbour.COLUMNS, usv_harbour.csv_rows(tallies))
         yield from usv_harbour.table(tallies)
+    timed = usv_timing.run(experiment) if "timing" in given.parts else []
+    if timed:
+        experiment.table("usv_timing", usv_timing.COLUMNS, usv_timing.csv_rows(timed))
+        yield from usv_timing.table(timed)
     for part, rows in measured:
         yield from usv_report.lines(part, rows)
     yield from usv_harbour.lines(tallies)
+    yield from usv_timing.lines(timed)

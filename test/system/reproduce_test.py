@@ -47,6 +47,16 @@ def test_a_worse_lidar_gives_worse_figures(one_place):
     assert worse["usv/table1/single_centre_mae"] > one_place[0]["usv/table1/single_centre_mae"]
 
 
+def test_a_crossing_boat_is_matched_and_its_latency_told():
+    figures, said = reproduced("--quick", "--parts", "timing")
+    for case in ("on_time", "stamped_120ms_late"):
+        assert figures[f"usv/timing/free/{case}/matched"][0] >= 0.9
+        value, unit = figures[f"usv/timing/free/{case}/position_error_when_seen"]
+        assert unit == "m" and value < 0.5  # 3 m/s over the 120 ms, and what the LiDAR errs
+        assert figures[f"usv/timing/free/{case}/latency_p99"][1] == "ms"
+    assert re.search(r"^free, on time +[01]\.", said, re.M)
+
+
 BAD = {  # what is asked for: what is said
     ("nothing",): "invalid choice: 'nothing'",
     ("usv", "--seeds", "0"): "0 is not a number of seeds",
