@@ -31,7 +31,11 @@ class TimedStages:
         answers = {OBSTACLES: ObstacleArray, CLUSTERS: ClusterArray, **({DETECTIONS: ImageDetectionArray} if model else {})}
         self.steps, self.client, self.told = RealTime(inputs, static, answers), None, {}
         self.diagnostics = rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics, queue_size=100)
-        session.require(self.steps.connected, stage_run.PATIENCE, "the stages did not start", self.launch)
+        try:
+            session.require(self.steps.connected, stage_run.PATIENCE, "the stages did not start", self.launch)
+        except SessionError:
+            self.close()  # the next ones have the same names
+            raise
 
     def set_match(self, **changes):
         """Parameters of the stage `match`, the others as at the start."""

@@ -8,6 +8,7 @@ import pytest
 
 import arrivals
 import crossing
+import usv_latency
 import usv_timing
 from real_time import percentile, percentile_line
 from sim_bag import Body, Frame, Picture
@@ -98,6 +99,32 @@ def test_latency_is_to_the_last_word_and_starts_after_the_first_clouds():
     left = {("/lidar/points", stamp): 10.0 + stamp for stamp in range(4)} | {("/detections", 9): 99.0}
     came = {(usv_timing.OBSTACLES, 1, 0): 11.01, (usv_timing.OBSTACLES, 1, 1): 11.03, (usv_timing.OBSTACLES, 2, 0): 12.02}
     assert usv_timing.latencies(left, came, 1) == pytest.approx([0.03, 0.02])  # cloud 3 got no answer
+
+
+def stamp(tenths):
+    return genpy.Time(1000 + tenths // 10, tenths % 10 * 100000000)
+
+
+def test_a_fused_latency_starts_with_the_later_of_cloud_and_picture(monkeypatch):
+    monkeypatch.setattr(usv_latency, "SETTLED", 0)
+    word, shown = usv_latency.OBSTACLES, "/detections"
+    left = {("/lidar/points", stamp(i)): i / 10 for i in range(4)} | {("/camera/image_raw", stamp(i)): i / 10 - 0.09 for i in range(4)}
+    left["/camera/image_raw", stamp(1)] = 0.12  # after its cloud
+    came = {(word, stamp(0), 0): 0.01, (word, stamp(0), 1): 0.03, (shown, stamp(0), 0): 0.035,  # overtaken on its way
+            (word, stamp(1), 1): 0.17, (shown, stamp(1), 0): 0.16,
+            (word, stamp(2), 1): 0.7, (shown, stamp(2), 0): 0.75,  # went on without
+            (word, stamp(3), 0): 0.32, (shown, stamp(3), 0): 0.31}  # no last word
+    assert usv_latency.fused(left, came, 0.05) == pytest.approx([0.03, 0.05])
+    assert usv_latency.alone(left, came) == pytest.approx([0.01, 0.02])
+
+
+def test_the_headlines_come_last_and_the_rest_is_named():
+    rows = [usv_latency.Row("", "lidar", 1, [0.01], 2), usv_latency.Row("openvino", "10hz_together", 1, [0.05], 2),
+            usv_latency.Row("openvino", "10hz_together", 2, [0.07], 2)]
+    assert list(usv_latency.lines(rows)) == [
+        "figure usv/latency/with_picture/openvino_10hz_together 0.5 - n=4 ci=[0.15,0.85]",
+        "figure usv/latency/fused_p99/openvino_10hz_together 70 ms n=2 ci=[50,70]",
+        "figure usv/latency/fused_p99 70 ms n=2 ci=[50,70]", "figure usv/latency/lidar_p99 10 ms n=1 ci=[10,10]"]
 
 
 def test_the_histogram_of_the_stage_is_read():
