@@ -4,12 +4,15 @@ import pathlib
 
 import stage_run
 import usv_harbour
+import usv_latency
 import usv_positions
 import usv_report
+import usv_timing
 
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
 PARTS = ("table1", "far", "harbour")
+TIMED = ("timing", "latency")  # in real time: on a machine that does nothing else
 MODEL = "models/usv.onnx"
 
 
@@ -18,7 +21,8 @@ def options(parser):
     parser.add_argument("--detections", choices=("model", "truth"), default="model",
                         help="truth: what the simulated picture truly shows stands in for the detector")
     parser.add_argument("--places", nargs="+", metavar="PLACE", help="only these places of table1 (0200 ...) and far (0 ... 29)")
-    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="of the experiment (default: all)")
+    parser.add_argument("--parts", nargs="+", choices=PARTS + TIMED, default=PARTS,
+                        help=f"of the experiment (default: {' '.join(PARTS)})")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
 
 
@@ -28,6 +32,10 @@ def check(given):
     unknown = set(given.places or []) - known
     if unknown:
         raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
+    if set(given.parts) <= {"timing"}:
+        given.detections = "truth"  # a detector has no part in it
+    if given.detections == "truth" and "latency" in given.parts:
+        raise ValueError("the part latency needs a detector: --model FILE, and not the truth")
     if given.detections == "truth":
         if given.model:
             raise ValueError("--model and --detections truth exclude one another")
@@ -39,20 +47,41 @@ def check(given):
 
 
 def run(experiment):
+    """Lines: tables, then figures."""
     given = experiment.given
     if not given.model:
         experiment.say("DETECTIONS ARE THE TRUTH of the simulator, not a detector's")
-    measured = [(part, usv_positions.run(experiment, METHODS, part)) for part in (usv_positions.TABLE, usv_positions.FURTHER)
-                if part.name in given.parts and usv_positions.chosen(experiment, part)]
-    tallies = usv_harbour.run(experiment, METHODS) if "harbour" in given.parts else {}
-    for part, rows in measured:
-        experiment.table(f"usv_{part.name}", usv_report.COLUMNS, usv_report.csv_rows(rows))
-        yield from usv_report.table(rows) if part is usv_positions.TABLE else usv_report.far_table(rows)
+    tables, figures = [], []
+    for part in (_places, _harbour, _timed):
+        for name, columns, rows, table, lines in part(experiment):
+            experiment.table(f"usv_{name}", columns, rows)
+            tables += table
+            figures += lines
+    return tables + figures
+
+
+# Of each part: (name, columns and rows of its CSV, lines of its table, figures).
+
+def _places(experiment):
+    given, measured = experiment.given, []
+    for part in (usv_positions.TABLE, usv_positions.FURTHER):
+        if part.name in given.parts and usv_positions.chosen(experiment, part):
+            rows = usv_positions.run(experiment, METHODS, part)
+            measured.append((part, rows))
+            table = usv_report.table if part is usv_positions.TABLE else usv_report.far_table
+            yield part.name, usv_report.COLUMNS, usv_report.csv_rows(rows), table(rows), usv_report.lines(part, rows)
     if measured and given.out:
         usv_report.plot(measured, experiment.folder / "usv_errors.png")
-    if tallies:
-        experiment.table("usv_harbour", usv_harbour.COLUMNS, usv_harbour.csv_rows(tallies))
-        yield from usv_harbour.table(tallies)
-    for part, rows in measured:
-        yield from usv_report.lines(part, rows)
-    yield from usv_harbour.lines(tallies)
+
+
+def _harbour(experiment):
+    if "harbour" in experiment.given.parts:
+        tallies = usv_harbour.run(experiment, METHODS)
+        yield "harbour", usv_harbour.COLUMNS, usv_harbour.csv_rows(tallies), usv_harbour.table(tallies), usv_harbour.lines(tallies)
+
+
+def _timed(experiment):
+    for name, module in (("timing", usv_timing), ("latency", usv_latency)):
+        if name in experiment.given.parts:
+            rows = module.run(experiment)
+            yield name, module.COLUMNS, module.csv_rows(rows), module.table(rows), module.lines(rows)

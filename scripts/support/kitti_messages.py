@@ -8,13 +8,17 @@ from kitti_labels import box_range
 from poses import vector
 
 
-def xyz(cloud):
-    """Points (n x 3, float32) of a PointCloud2."""
+def fields(cloud, *names):
+    """Of a PointCloud2 of float32: one row a point, one column a field."""
     offsets = {field.name: field.offset for field in cloud.fields}
-    layout = numpy.dtype({"names": ["x", "y", "z"], "formats": ["<f4"] * 3,
-                          "offsets": [offsets[axis] for axis in "xyz"], "itemsize": cloud.point_step})
+    layout = numpy.dtype({"names": names, "formats": ["<f4"] * len(names), "offsets": [offsets[name] for name in names],
+                          "itemsize": cloud.point_step})
     points = numpy.frombuffer(cloud.data, layout, cloud.width * cloud.height)
-    return numpy.stack([points[axis] for axis in "xyz"], axis=1)
+    return numpy.stack([points[name] for name in names], axis=1)
+
+
+def xyz(cloud):
+    return fields(cloud, *"xyz")
 
 
 class Clusters:

@@ -15,6 +15,14 @@ INPUTS = {"/detections": ImageDetectionArray, "/camera/camera_info": CameraInfo,
           "/lidar/points": PointCloud2}
 
 
+def launch(session, name, method, robot, model):
+    """The stages below /NAME, with the parameters of the file `robot`; without a model, no detector."""
+    return session.start(
+        "env", f"ROS_NAMESPACE={name}", "roslaunch", str(stage_run.package() / "launch/usv.launch"), "rviz:=false",
+        "points:=/lidar/points", "image:=/camera/image_raw", "camera_info:=/camera/camera_info",
+        "detections:=/detections", f"method:={method}", f"robot:={robot}", f"model:={model or ''}")
+
+
 class Answer(typing.NamedTuple):
     frame: sim_bag.Frame
     detections: object  # ImageDetectionArray that the stages matched
@@ -33,14 +41,8 @@ class Stages:
         robot = folder / "robot.yaml"
         wrote = stage_run.patient_robot(robot, True, changes)
         self.detect = {**stage_run.defaults("detect"), **wrote.get("detect", {})}
-        self.launches = [self._launch(name, method, robot, model if i == 0 else None)
+        self.launches = [launch(session, name, method, robot, model if i == 0 else None)
                          for i, (name, method) in enumerate(methods.items())]
-
-    def _launch(self, name, method, robot, model):
-        return self.session.start(
-            "env", f"ROS_NAMESPACE={name}", "roslaunch", str(stage_run.package() / "launch/usv.launch"), "rviz:=false",
-            "points:=/lidar/points", "image:=/camera/image_raw", "camera_info:=/camera/camera_info",
-            "detections:=/detections", f"method:={method}", f"robot:={robot}", f"model:={model or ''}")
 
     def play(self, bag):
         """An Answer for each cloud of the bag that has a picture."""
@@ -89,5 +91,5 @@ class Stages:
     def close(self):
         if self.steps:
             self.steps.close()
-        for launch in self.launches:
-            self.session.end(launch)
+        for process in self.launches:
+            self.session.end(process)

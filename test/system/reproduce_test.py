@@ -1,9 +1,10 @@
 """reproduce: a short form of the USV experiment, and what is said to those who ask for what there is not."""
 import re
+import sys
 
 import pytest
 
-from conftest import rosrun
+from conftest import ROOT, rosrun
 
 
 def reproduced(*arguments):
@@ -47,6 +48,38 @@ def test_a_worse_lidar_gives_worse_figures(one_place):
     assert worse["usv/table1/single_centre_mae"] > one_place[0]["usv/table1/single_centre_mae"]
 
 
+def test_a_crossing_boat_is_matched_and_its_latency_told():
+    figures, said = reproduced("--quick", "--parts", "timing")
+    for case in ("on_time", "stamped_120ms_late"):
+        assert figures[f"usv/timing/free/{case}/matched"][0] >= 0.9
+        value, unit = figures[f"usv/timing/free/{case}/position_error_when_seen"]
+        assert unit == "m" and value < 0.5  # 3 m/s over the 120 ms, and what the LiDAR errs
+        assert figures[f"usv/timing/free/{case}/latency_p99"][1] == "ms"
+    assert re.search(r"^free, on time +[01]\.", said, re.M)
+
+
+@pytest.fixture
+def untrained(tmp_path, monkeypatch):
+    """A detector that has learnt nothing takes as long as another."""
+    pytest.importorskip("torch", reason="python3-torch is not installed")
+    pytest.importorskip("onnx", reason="python3-onnx is not installed")
+    monkeypatch.setattr(sys, "path", [str(ROOT / "models"), *sys.path])
+    from yolov8.export import export
+    from yolov8.network import YoloV8
+
+    export(YoloV8(2, width=0.125).eval(), ["boat", "buoy"], (160, 96), tmp_path / "untrained.onnx", {})
+    return tmp_path / "untrained.onnx"
+
+
+def test_latencies_are_told_of_the_lidar_and_with_a_detector(untrained):
+    done = rosrun("reproduce", "usv", "--quick", "--parts", "latency", "--model", untrained)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"^figure usv/latency/fused_p99/opencv_10hz_together [0-9.]+ ms n=[1-9]", done.stdout, re.M)
+    assert re.search(r"^figure usv/latency/with_picture/opencv_10hz_together [0-9.]+ - n=20 ", done.stdout, re.M)
+    assert re.search(r"^figure usv/latency/fused_p99 ", done.stdout, re.M) or "OpenVINO not measured" in done.stdout
+    assert re.search(r"^figure usv/latency/lidar_p99 [0-9.]+ ms n=20 ", done.stdout.splitlines()[-1])
+
+
 BAD = {  # what is asked for: what is said
     ("nothing",): "invalid choice: 'nothing'",
     ("usv", "--seeds", "0"): "0 is not a number of seeds",
@@ -54,6 +87,7 @@ BAD = {  # what is asked for: what is said
     ("usv", "--degrade", "lidar=0.1x"): "lidar=0.1x is not SENSOR=FACTORx",
     ("usv", "--degrade", "lidar"): "lidar is not SENSOR=FACTORx",
     ("usv", "--detections", "truth", "--places", "0900"): "no such place: 0900",
+    ("usv", "--detections", "truth", "--parts", "latency"): "the part latency needs a detector",
     ("usv", "--detections", "truth", "--model", "x.onnx"): "--model and --detections truth exclude one another",
     ("usv", "--model", "/nowhere/x.onnx"): "no such model: /nowhere/x.onnx",
     ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"):
