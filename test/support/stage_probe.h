@@ -25,6 +25,16 @@ inline bool spinUntil(
   return holds();
 }
 
+/// The same with a `step` that waits for its answer: called again only after a second without one.
+inline bool askUntil(const std::function<bool()>& holds, const std::function<void()>& step) {
+  ros::WallTime asked;
+  return spinUntil(holds, [&] {
+    if (ros::WallTime::now() - asked < ros::WallDuration(1.0)) return;
+    asked = ros::WallTime::now();
+    step();
+  });
+}
+
 /// The last message of a topic, and how many there were.
 template <class M>
 class Received {

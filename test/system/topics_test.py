@@ -4,7 +4,7 @@ import re
 from conftest import ROOT
 from ros_session import RosSession
 
-STAGES = ["filter", "ground", "cluster", "detect", "match", "markers", "costmap"]
+STAGES = ["deskew_scan", "deskew_cloud", "filter", "ground", "cluster", "detect", "match", "markers", "costmap"]
 OWN = re.compile(r"parameter_(descriptions|updates)$|^/(rosout|diagnostics|tf|tf_static)$")
 
 

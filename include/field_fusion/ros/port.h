@@ -57,6 +57,7 @@ struct InputPort {
   std::uint64_t received = 0, processed = 0, skipped = 0;
   std::uint64_t missing = 0;   ///< gaps of header.seq: sent, but never arrived
   std::uint32_t last_seq = 0;  ///< 0: none yet
+  std::uint32_t queue = 4;     ///< messages that roscpp keeps while the stage is busy
   bool optional = false;       ///< its silence is no fault
   bool deferred = false;       ///< a worker ends the processing by Stage::complete
 };

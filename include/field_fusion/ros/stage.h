@@ -73,8 +73,9 @@ class Stage : public nodelet::Nodelet {
   InputPort& input(const std::string& topic, Handler<M> handler, Ready<M> ready = nullptr) {
     auto& port = addInput(topic);
     auto receive = receiver<M>(port, std::move(handler), std::move(ready));
-    port.subscribe = [this, topic, receive]() -> std::shared_ptr<void> {
-      return std::make_shared<ros::Subscriber>(getNodeHandle().template subscribe<M>(topic, kQueue, receive));
+    port.subscribe = [this, topic, &port, receive]() -> std::shared_ptr<void> {
+      return std::make_shared<ros::Subscriber>(
+          getNodeHandle().template subscribe<M>(topic, port.queue, receive));
     };
     return port;
   }
