@@ -1,0 +1,291 @@
+#include "joint_problem.h"
+
+#include <ceres/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace field_fusion::core {
+namespace {
+
+constexpr double kRobust = 3.0;                  // sigmas from where on a residual counts linearly (Huber)
+constexpr double kAngleSigma = radians(0.02);    // of a beam's direction; what a scanner's steps leave
+constexpr double kLeastRange = 1e-4, kLeastPixel = 1e-2;  // [m], [px] no sensor is better, and no weight infinite
+constexpr double kGrazing = 0.1;                 // cosine of the incidence below which nothing gets better known
+constexpr double kCoarse = 1e-7, kFine = 1e-12;  // relative changes at which a search ends
+constexpr int kRounds = 3;                       // of measuring the noise
+
+/// p moved by x, see chart.h.
+template <class T>
+Eigen::Matrix<T, 3, 1> moved(const T* x, const Eigen::Matrix<T, 3, 1>& p) {
+  Eigen::Matrix<T, 3, 1> out;
+  ceres::AngleAxisRotatePoint(x, p.data(), out.data());
+  return out + Eigen::Map<const Eigen::Matrix<T, 3, 1>>(x + 3);
+}
+
+/// The true place of a measured one.
+Eigen::Vector3d corrected(const Eigen::Vector3d& p, double offset, double scale) {
+  const double range = p.norm();
+  return p * ((range - offset) / (range * (1.0 + scale)));
+}
+
+/// The board's plane and a ray or point of the LiDAR, moved by what is searched.
+template <class T>
+struct Meeting {
+  using V = Eigen::Matrix<T, 3, 1>;
+  V normal, from, to, middle;  // all in the camera's frame; the ray goes from the LiDAR to `to`
+
+  Meeting(const Transform& T_camera_lidar, const Transform& T_camera_board, const Eigen::Vector3d& p, const T* lidar,
+          const T* board) {
+    const V origin = moved<T>(board, V::Zero());
+    normal = T_camera_board.linear().cast<T>() * (moved<T>(board, V::UnitZ()) - origin);
+    middle = T_camera_board.linear().cast<T>() * origin + T_camera_board.translation().cast<T>();
+    const auto in_camera = [&](const V& q) {
+      return V(T_camera_lidar.linear().cast<T>() * moved<T>(lidar, q) + T_camera_lidar.translation().cast<T>());
+    };
+    from = in_camera(V::Zero());
+    to = in_camera(p.cast<T>());
+  }
+};
+
+/// Distance of a return to the board. Its noise shrinks with the scale and as rays come to graze the board, so that
+/// its least squares are biased: good to start with.
+struct PointResidual {
+  Transform T_camera_lidar, T_camera_board;
+  Eigen::Vector3d p;
+  double sigma;
+
+  template <class T>
+  bool operator()(const T* lidar, const T* board, T* out) const {
+    const Meeting<T> m(T_camera_lidar, T_camera_board, p, lidar, board);
+    *out = m.normal.dot(m.to - m.middle) / sigma;
+    return true;
+  }
+};
+
+/// Measured range less that at which the ray meets the board: the noise of what was measured, whatever is searched.
+struct RangeResidual {
+  Transform T_camera_lidar, T_camera_board;
+  Eigen::Vector3d p;
+  double sigma;
+
+  template <class T>
+  bool operator()(const T* lidar, const T* board, const T* offset, const T* scale, T* out) const {
+    const double measured = p.norm();
+    const Meeting<T> m(T_camera_lidar, T_camera_board, p / measured, lidar, board);
+    const T range = m.normal.dot(m.middle - m.from) / m.normal.dot(m.to - m.from);
+    *out = (measured - (1.0 + *scale) * range - *offset) / sigma;
+    return true;
+  }
+};
+
+struct CornerResidual {
+  const CameraLens& lens;
+  Transform T_camera_board;
+  Eigen::Vector3d corner;
+  Eigen::Vector2d pixel;
+  double sigma;
+
+  template <class T>
+  bool operator()(const T* board, T* out) const {
+    using V = Eigen::Matrix<T, 3, 1>;
+    const V p = T_camera_board.linear().cast<T>() * moved<T>(board, V(corner.cast<T>())) +
+                T_camera_board.translation().cast<T>();
+    Eigen::Map<Eigen::Matrix<T, 2, 1>> difference(out);
+    difference = (lens.project<T>(p) - pixel.cast<T>()) / sigma;
+    return true;
+  }
+};
+
+struct Prior {
+  double sigma;
+
+  template <class T>
+  bool operator()(const T* x, T* out) const {
+    *out = *x / sigma;
+    return true;
+  }
+};
+
+/// Standard deviation of a normal distribution about 0 whose values have this median of their sizes.
+double sigmaOf(std::vector<double> sizes) {
+  constexpr double kMedianOfNormal = 0.6745;
+  if (sizes.empty()) return 0.0;
+  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  return sizes[sizes.size() / 2] / kMedianOfNormal;
+}
+
+}  // namespace
+
+JointProblem::JointProblem(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
+                           const Transform& T_camera_lidar, const CalibrationOptions& options)
+    : lens_(lens),
+      options_(options),
+      corners_(board.corners()),
+      T_camera_lidar_(T_camera_lidar),
+      pixel_sigma_(options.pixel_sigma) {
+  for (const CalibrationPose& pose : poses) {
+    blocks_.push_back({&pose, pose.view.T_camera_board, {}, options.range_sigma});
+    for (const BoardReturn& from : pose.returns) offsets_[from.laser] = 0.0;
+  }
+}
+
+/// [m] along the ray: the noise of the range, and that of the direction by the slant.
+double JointProblem::sigma(const PoseBlock& block, const BoardReturn& from) const {
+  const Eigen::Vector3d ray = T_camera_lidar_.linear() * from.position;
+  const double range = ray.norm();
+  const double cosine =
+      std::max(kGrazing, std::abs(block.T_camera_board.linear().col(2).dot(ray)) / range);
+  const double slope = std::sqrt(std::max(0.0, 1.0 / (cosine * cosine) - 1.0));
+  return std::hypot(block.range_sigma, kAngleSigma * range * slope) / std::sqrt(from.count);
+}
+
+void JointProblem::addPriors(ceres::Problem& problem) {
+  const auto prior = [&problem](double* x, double sigma) {
+    if (!(sigma > 0)) return problem.SetParameterBlockConstant(x);
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior, 1, 1>(new Prior{sigma}), nullptr, x);
+  };
+  for (auto& [laser, offset] : offsets_)
+    if (problem.HasParameterBlock(&offset)) prior(&offset, options_.offset_sigma);
+  prior(&scale_, options_.scale_sigma);
+}
+
+void JointProblem::addReturns(ceres::Problem& problem, PoseBlock& block) {
+  using OfRange = ceres::AutoDiffCostFunction<RangeResidual, 1, 6, 6, 1, 1>;
+  for (const BoardReturn& from : block.pose->returns)
+    problem.AddResidualBlock(
+        new OfRange(new RangeResidual{T_camera_lidar_, block.T_camera_board, from.position, sigma(block, from)}),
+        new ceres::HuberLoss(kRobust), x_.data(), block.x.data(), &offsets_.at(from.laser), &scale_);
+}
+
+void JointProblem::addCorners(ceres::Problem& problem, PoseBlock& block) {
+  using OfCorner = ceres::AutoDiffCostFunction<CornerResidual, 2, 6>;
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    problem.AddResidualBlock(new OfCorner(new CornerResidual{lens_, block.T_camera_board, corners_[i],
+                                                             block.pose->view.corners[i], pixel_sigma_}),
+                             new ceres::HuberLoss(kRobust), block.x.data());
+}
+
+void JointProblem::build(ceres::Problem& problem) {
+  for (PoseBlock& block : blocks_) {
+    addReturns(problem, block);
+    addCorners(problem, block);
+  }
+  addPriors(problem);
+}
+
+double JointProblem::minimise(ceres::Problem& problem, ceres::LinearSolverType solver, double tolerance) {
+  ceres::Solver::Options options;
+  options.linear_solver_type = solver;
+  options.max_num_iterations = 100;
+  options.function_tolerance = options.parameter_tolerance = tolerance, options.gradient_tolerance = 1e-14;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  T_camera_lidar_ = T_camera_lidar_ * motion(x_);
+  x_.fill(0.0);
+  for (PoseBlock& block : blocks_) {
+    block.T_camera_board = block.T_camera_board * motion(block.x);
+    block.x.fill(0.0);
+  }
+  return summary.IsSolutionUsable() ? summary.final_cost : std::numeric_limits<double>::infinity();
+}
+
+double JointProblem::solveCoarsely() {
+  using OfPoint = ceres::AutoDiffCostFunction<PointResidual, 1, 6, 6>;
+  ceres::Problem problem;
+  for (PoseBlock& block : blocks_) {
+    for (const BoardReturn& from : block.pose->returns)
+      problem.AddResidualBlock(
+          new OfPoint(new PointResidual{T_camera_lidar_, block.T_camera_board, from.position, block.range_sigma}),
+          new ceres::HuberLoss(kRobust), x_.data(), block.x.data());
+    problem.SetParameterBlockConstant(block.x.data());
+  }
+  return minimise(problem, ceres::DENSE_QR, kCoarse);
+}
+
+void JointProblem::solve() {
+  for (int i = 0; i <= kRounds; ++i) {
+    if (i > 0) measureNoise();
+    ceres::Problem problem;
+    build(problem);
+    minimise(problem, ceres::SPARSE_SCHUR, i < kRounds ? kCoarse : kFine);
+  }
+}
+
+std::vector<double> JointProblem::distances(const PoseBlock& block) const {
+  std::vector<double> out;
+  const Transform T_board_lidar = block.T_camera_board.inverse() * T_camera_lidar_;
+  for (const BoardReturn& from : block.pose->returns)
+    out.push_back((T_board_lidar * corrected(from.position, offsets_.at(from.laser), scale_)).z());
+  return out;
+}
+
+std::vector<double> JointProblem::rangeErrors(const PoseBlock& block) const {
+  std::vector<double> out;
+  const double still[6] = {};
+  for (const BoardReturn& from : block.pose->returns) {
+    RangeResidual{T_camera_lidar_, block.T_camera_board, from.position, sigma(block, from)}(
+        still, still, &offsets_.at(from.laser), &scale_, &out.emplace_back());
+    out.back() = std::abs(out.back());
+  }
+  return out;
+}
+
+/// Of the corners over all poses, of the ranges pose by pose, for it grows with slant and range. Few returns tell
+/// little of it and count with all others'.
+void JointProblem::measureNoise() {
+  std::vector<double> pixels, all;
+  for (const PoseBlock& block : blocks_) {
+    for (const double error : rangeErrors(block)) all.push_back(error * block.range_sigma);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Eigen::Vector2d d =
+          lens_.project<double>(block.T_camera_board * corners_[i]) - block.pose->view.corners[i];
+      pixels.insert(pixels.end(), {std::abs(d.x()), std::abs(d.y())});
+    }
+  }
+  const double usual = sigmaOf(std::move(all));
+  for (PoseBlock& block : blocks_) {
+    constexpr double kUsual = 50.0;  // returns that the noise of all poses counts for
+    const double n = static_cast<double>(block.pose->returns.size());
+    const double own = block.range_sigma * sigmaOf(rangeErrors(block));
+    block.range_sigma =
+        std::max(kLeastRange, std::sqrt((kUsual * usual * usual + n * own * own) / (kUsual + n)));
+  }
+  // six numbers were fitted to the corners of each pose
+  const double freedom = 1.0 - 3.0 / static_cast<double>(corners_.size());
+  pixel_sigma_ = std::max(kLeastPixel, sigmaOf(std::move(pixels)) / std::sqrt(freedom));
+}
+
+bool JointProblem::covariance(Eigen::Matrix<double, 6, 6>& out) {
+  ceres::Problem problem;
+  build(problem);
+  ceres::Covariance::Options options;
+  options.num_threads = 1;
+  ceres::Covariance covariance(options);
+  const std::vector<std::pair<const double*, const double*>> blocks{{x_.data(), x_.data()}};
+  if (!covariance.Compute(blocks, &problem)) return false;
+  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> values;
+  if (!covariance.GetCovarianceBlock(x_.data(), x_.data(), values.data())) return false;
+  out = values;
+  return true;
+}
+
+PoseResidual JointProblem::residual(const CalibrationPose& pose, const Transform& T_camera_board) const {
+  PoseResidual out;
+  out.name = pose.name;
+  const std::vector<double> off = distances({&pose, T_camera_board, {}, 0.0});
+  double sum = 0, squares = 0, weight = 0;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const double w = pose.returns[i].count;
+    sum += w * off[i], squares += w * off[i] * off[i], weight += w;
+  }
+  out.returns = static_cast<std::size_t>(weight);
+  out.mean = sum / weight, out.rms = std::sqrt(squares / weight);
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    out.reprojection += (lens_.project<double>(T_camera_board * corners_[i]) - pose.view.corners[i]).squaredNorm();
+  out.reprojection = std::sqrt(out.reprojection / static_cast<double>(corners_.size()));
+  return out;
+}
+
+}  // namespace field_fusion::core
