@@ -11,21 +11,21 @@ static_assert(kSide <= 64, "a row of it is the bits of one word");
 
 /// What is occupied in and around the tile.
 struct Surroundings {
-  std::array<std::uint64_t, kSide> rows{};       // bit x: occupied
-  std::array<std::array<const Cell*, kSide>, kSide> cells;
+  const Neighbourhood& tiles;
+  std::array<std::uint64_t, kSide> rows{};  // bit x: occupied
 
-  bool occupied(int x, int y) const { return (rows[y] >> x & 1) != 0; }
+  const Cell& cell(int x, int y) const {
+    const int u = x + kTileSide - kMargin, v = y + kTileSide - kMargin;  // from the corner of the first tile
+    return tiles[v / kTileSide * 3 + u / kTileSide]->at(u, v);
+  }
 };
 
-void addTile(Surroundings& out, const Tile& tile, int left, int bottom, float threshold) {
-  const int x0 = std::max(0, left), x1 = std::min(kSide, left + kTileSide);
-  for (int y = std::max(0, bottom); y < std::min(kSide, bottom + kTileSide); ++y)
-    for (int x = x0; x < x1; ++x) {
-      const Cell& cell = tile.cells[(y - bottom) * kTileSide + (x - left)];
-      if (cell.hits == 0 || static_cast<float>(cell.hits) < threshold * static_cast<float>(cell.visits)) continue;
-      out.rows[y] |= std::uint64_t{1} << x;
-      out.cells[y][x] = &cell;
-    }
+void addTile(Surroundings& out, const Tile& tile, int left, int bottom) {
+  constexpr std::uint64_t kInside = (std::uint64_t{1} << kSide) - 1;
+  for (int y = std::max(0, bottom); y < std::min(kSide, bottom + kTileSide); ++y) {
+    const std::uint64_t row = tile.occupied[y - bottom];
+    out.rows[y] |= (left < 0 ? row >> -left : row << left) & kInside;
+  }
 }
 
 /// Direction of the wall through an occupied cell: the smaller principal axis of the hits around it.
@@ -35,7 +35,7 @@ void addNormal(const Surroundings& s, int x, int y, Nearest& out) {
     std::uint64_t bits = s.rows[y + v] >> (x - 2) & 0x1f;
     for (; bits != 0; bits &= bits - 1) {
       const int u = __builtin_ctzll(bits) - 2;
-      const Cell& cell = *s.cells[y + v][x + u];
+      const Cell& cell = s.cell(x + u, y + v);
       const float px = static_cast<float>(u) + cell.x / (2.f * Cell::kHalf);
       const float py = static_cast<float>(v) + cell.y / (2.f * Cell::kHalf);
       n += 1.f, sx += px, sy += py, sxx += px * px, sxy += px * py, syy += py * py;
@@ -71,49 +71,67 @@ void fillRow(std::uint64_t row, RowNearest& out) {
   }
 }
 
+using Row = std::array<std::int16_t, kTileSide>;
+
 /// The keys say squared distance and row of the nearest, so that one minimum finds both.
+Row nearestRows(const Surroundings& s, const std::array<RowNearest, kSide>& rows, int y) {
+  Row best;
+  best.fill(RowNearest::kFar);
+  for (int v = -kReach; v <= kReach; ++v) {
+    if (s.rows[y + kMargin + v] == 0) continue;
+    const Row& key = rows[y + kMargin + v].key;
+    const auto add = static_cast<std::int16_t>(32 * v * v + v + kReach);
+    for (int x = 0; x < kTileSide; ++x)
+      best[x] = std::min<std::int16_t>(best[x], static_cast<std::int16_t>(key[x] + add));
+  }
+  return best;
+}
+
+/// The walls through occupied cells, each computed once.
+class Walls {
+ public:
+  explicit Walls(const Surroundings& s) : s_(s) {}
+
+  const Nearest& at(int x, int y) {
+    Nearest& wall = walls_[y][x];
+    if ((known_[y] >> x & 1) == 0) {
+      known_[y] |= std::uint64_t{1} << x;
+      const Cell& cell = s_.cell(x, y);
+      wall = {static_cast<std::int16_t>(cell.x / 32), static_cast<std::int16_t>(cell.y / 32), 0, 0, Nearest::kPoint};
+      addNormal(s_, x, y, wall);
+    }
+    return wall;
+  }
+
+ private:
+  const Surroundings& s_;
+  std::array<std::uint64_t, kSide> known_{};
+  std::array<std::array<Nearest, kSide>, kSide> walls_;
+};
+
 void fillTile(const Surroundings& s, NearestField& field) {
   std::array<RowNearest, kSide> rows;
-  std::array<std::array<Nearest, kSide>, kSide> walls;  // of the occupied cells in reach
-  std::array<std::uint64_t, kSide> known{};
   for (int y = kMargin - kReach; y < kSide - kMargin + kReach; ++y)
     if (s.rows[y] != 0) fillRow(s.rows[y], rows[y]);
-
+  Walls walls(s);
   for (int y = 0; y < kTileSide; ++y) {
-    std::array<std::int16_t, kTileSide> best;
-    best.fill(RowNearest::kFar);
-    for (int v = -kReach; v <= kReach; ++v) {
-      if (s.rows[y + kMargin + v] == 0) continue;
-      const auto& key = rows[y + kMargin + v].key;
-      const auto add = static_cast<std::int16_t>(32 * v * v + v + kReach);
-      for (int x = 0; x < kTileSide; ++x)
-        best[x] = std::min<std::int16_t>(best[x], static_cast<std::int16_t>(key[x] + add));
-    }
+    const Row best = nearestRows(s, rows, y);
     for (int x = 0; x < kTileSide; ++x) {
-      Nearest& out = field.cells[y * kTileSide + x];
       if (best[x] >= 32 * (kReach * kReach + 1)) continue;
-      const int v = best[x] % 32 - kReach, row = y + kMargin + v, u = rows[row].offset[x], column = x + kMargin + u;
-      Nearest& wall = walls[row][column];
-      if ((known[row] >> column & 1) == 0) {
-        wall = Nearest{};
-        wall.kind = Nearest::kPoint;
-        addNormal(s, column, row, wall);
-        known[row] |= std::uint64_t{1} << column;
-      }
-      out = wall;
-      out.x = static_cast<std::int16_t>(2048 * u + s.cells[row][column]->x / 32);
-      out.y = static_cast<std::int16_t>(2048 * v + s.cells[row][column]->y / 32);
+      const int v = best[x] % 32 - kReach, u = rows[y + kMargin + v].offset[x];
+      Nearest& out = field.cells[y * kTileSide + x];
+      out = walls.at(x + kMargin + u, y + kMargin + v);
+      out.x = static_cast<std::int16_t>(out.x + 2048 * u), out.y = static_cast<std::int16_t>(out.y + 2048 * v);
     }
   }
 }
 
 }  // namespace
 
-boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles, float threshold) {
-  Surroundings s;
+boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles) {
+  Surroundings s{tiles};
   for (int k = 0; k < 9; ++k)
-    if (tiles[k])
-      addTile(s, *tiles[k], kMargin + (k % 3 - 1) * kTileSide, kMargin + (k / 3 - 1) * kTileSide, threshold);
+    if (tiles[k]) addTile(s, *tiles[k], kMargin + (k % 3 - 1) * kTileSide, kMargin + (k / 3 - 1) * kTileSide);
   boost::intrusive_ptr<NearestField> field(new NearestField);
   if (std::any_of(s.rows.begin(), s.rows.end(), [](std::uint64_t row) { return row != 0; })) fillTile(s, *field);
   return field;

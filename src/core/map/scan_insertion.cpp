@@ -24,7 +24,7 @@ class ScanInsertion::Writer {
     if (cell.hits == 0) return cell.visit();
     const bool before = map_.isOccupied(cell);
     cell.visit();
-    if (before && !map_.isOccupied(cell)) changed_.push_back({x, y});
+    if (before && !map_.isOccupied(cell)) flip(x, y);
   }
 
   void hit(int x, int y, float dx, float dy) {
@@ -33,7 +33,10 @@ class ScanInsertion::Writer {
     const Cell old = cell;
     cell.hit(dx, dy);
     const bool moved = std::abs(cell.x - old.x) > kMoved || std::abs(cell.y - old.y) > kMoved;
-    if (map_.isOccupied(cell) != before || (before && moved)) changed_.push_back({x, y});
+    if (map_.isOccupied(cell) != before)
+      flip(x, y);
+    else if (before && moved)
+      changed_.push_back({x, y});
   }
 
  private:
@@ -45,6 +48,12 @@ class ScanInsertion::Writer {
       tile_->revision = revision_;
     }
     return tile_->at(x, y);
+  }
+
+  /// A wall that comes or goes.
+  void flip(int x, int y) {
+    tile_->occupied[y & (kTileSide - 1)] ^= 1u << (x & (kTileSide - 1));
+    changed_.push_back({x, y});
   }
 
   TileMap& map_;

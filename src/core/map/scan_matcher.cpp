@@ -72,14 +72,14 @@ double ScanMatcher::priorCost(const Vector& v) const {
 }
 
 /// Geman and McClure's: 1/2 r^2 / (1 + r^2 / outlier^2), r and outlier in cells; so without `scale_`.
-double ScanMatcher::cost(const Vector& v, float outlier, std::size_t stride) {
+double ScanMatcher::cost(const Vector& v, float outlier) {
   const auto c = static_cast<float>(std::cos(v.z())), s = static_cast<float>(std::sin(v.z()));
   const auto x0 = static_cast<float>(v.x()), y0 = static_cast<float>(v.y());
   const float limit = outlier * outlier;
   float sum = 0.f;
-  for (std::size_t i = 0; i < xs_.size(); i += stride) {
+  for (std::size_t i = 0; i < xs_.size(); ++i) {
     const float px = c * xs_[i] - s * ys_[i] + x0, py = s * xs_[i] + c * ys_[i] + y0;
-    const int x = static_cast<int>(std::floor(px)), y = static_cast<int>(std::floor(py));
+    const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (nearest && nearest->kind != Nearest::kNone) {
       const float r2 = Miss(*nearest, x, y, px, py).squared();
@@ -88,9 +88,8 @@ double ScanMatcher::cost(const Vector& v, float outlier, std::size_t stride) {
       sum += nearest && window_.seen(x, y) ? limit : static_cast<float>(kUnseen) * limit;
     }
   }
-  const std::size_t used = (xs_.size() + stride - 1) / stride;
-  score_ = static_cast<double>(used) - sum / limit;
-  return 0.5 * sum * static_cast<double>(xs_.size()) / static_cast<double>(used);
+  score_ = static_cast<double>(xs_.size()) - sum / limit;
+  return 0.5 * sum;
 }
 
 ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
@@ -100,7 +99,7 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
   float xx = 0, xy = 0, xt = 0, yy = 0, yt = 0, tt = 0, gx = 0, gy = 0, gt = 0;
   for (std::size_t i = 0; i < xs_.size(); ++i) {
     const float vx = c * xs_[i] - s * ys_[i], vy = s * xs_[i] + c * ys_[i], px = vx + x0, py = vy + y0;
-    const int x = static_cast<int>(std::floor(px)), y = static_cast<int>(std::floor(py));
+    const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (!nearest || nearest->kind == Nearest::kNone) continue;
     const Miss miss(*nearest, x, y, px, py);
@@ -121,30 +120,60 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
   return out;
 }
 
+/// Cost of the thinned scan, turned already, moved by whole cells: squared distances to what is nearest, none
+/// above `limit`.
+float ScanMatcher::roughCost(int dx, int dy, float limit) {
+  float sum = 0.f;
+  for (const RoughPoint& p : rough_) {
+    const Nearest* nearest = window_.nearest(p.x + dx, p.y + dy);
+    if (!nearest || nearest->kind == Nearest::kNone) {
+      sum += limit;
+    } else {
+      const float u = p.dx - Nearest::kUnit * nearest->x, v = p.dy - Nearest::kUnit * nearest->y;
+      sum += std::min(limit, u * u + v * v);
+    }
+  }
+  return sum;
+}
+
 /// The best of a lattice over what odometry leaves open, by some of the beams; so that a wall is not taken for
 /// its neighbour.
 ScanMatcher::Vector ScanMatcher::search(const PosePrior& prior) {
   constexpr std::size_t kBeams = 90;
-  constexpr double kStep = 3.0;  // [cells]
-  const float outlier = 6.f;     // [cells]: wide, so that a near miss counts
+  constexpr int kStep = 4;       // [cells]
+  constexpr float kLimit = 36.f; // [cells^2]: wide, so that a near miss counts
   const std::size_t stride = std::max<std::size_t>(1, xs_.size() / kBeams);
   const double step_yaw = kStep / reach_;
   const auto steps = [](double sigma, double step, int most) {
-    return std::clamp(static_cast<int>(std::ceil(2.0 * sigma / step)), 1, most);
+    return std::clamp(static_cast<int>(std::ceil(2.0 * sigma / step - 0.5)), 0, most);
   };
   const double sigma = std::sqrt(std::max(prior.covariance(0, 0), prior.covariance(1, 1)));
-  const int n = steps(sigma / settings_.resolution, kStep, 4);
-  const int m = steps(std::sqrt(prior.covariance(2, 2)), step_yaw, 8);
+  const int n = steps(sigma / settings_.resolution, kStep, 4), m = steps(std::sqrt(prior.covariance(2, 2)), step_yaw, 10);
   Vector best = prior_mean_;
   double least = std::numeric_limits<double>::infinity();
-  for (int t = -m; t <= m; ++t)
+  for (int t = -m; t <= m; ++t) {
+    const double yaw = prior_mean_.z() + step_yaw * t;
+    turnRough(yaw, stride);
+    const double scale = 0.5 * scale_ * static_cast<double>(xs_.size()) / static_cast<double>(rough_.size());
     for (int j = -n; j <= n; ++j)
       for (int i = -n; i <= n; ++i) {
         const Vector v = prior_mean_ + Vector(kStep * i, kStep * j, step_yaw * t);
-        const double at = scale_ * cost(v, outlier, stride) + priorCost(v);
+        const double at = scale * roughCost(kStep * i, kStep * j, kLimit) + priorCost(v);
         if (at < least) least = at, best = v;
       }
+  }
   return best;
+}
+
+void ScanMatcher::turnRough(double yaw, std::size_t stride) {
+  const auto c = static_cast<float>(std::cos(yaw)), s = static_cast<float>(std::sin(yaw));
+  const auto x0 = static_cast<float>(prior_mean_.x()), y0 = static_cast<float>(prior_mean_.y());
+  rough_.clear();
+  for (std::size_t i = 0; i < xs_.size(); i += stride) {
+    const float px = c * xs_[i] - s * ys_[i] + x0, py = s * xs_[i] + c * ys_[i] + y0;
+    const int x = static_cast<int>(px), y = static_cast<int>(py);
+    rough_.push_back({x, y, px - (static_cast<float>(x) + 0.5f), py - (static_cast<float>(y) + 0.5f)});
+  }
 }
 
 /// Gauss-Newton on the nearest walls, outliers cut off more and more tightly.
@@ -169,7 +198,7 @@ void ScanMatcher::sample(const Vector& peak, Match& out) {
   const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
   const Normal n = normal(peak, outlier);
   const Eigen::Matrix3d spread = n.information.inverse().llt().matrixL();
-  const double least = scale_ * cost(peak, outlier, 1) + priorCost(peak);
+  const double least = scale_ * cost(peak, outlier) + priorCost(peak);
   out.score = score_;
   double mass = 0.0;
   Vector mean = Vector::Zero();
@@ -179,7 +208,7 @@ void ScanMatcher::sample(const Vector& peak, Match& out) {
     double share = 1.0;
     for (int a = 0; a < 3; ++a) share *= z[a] == 0.0 ? 2.0 / 3.0 : 1.0 / 6.0;
     const Vector d = spread * z;
-    const double above = scale_ * cost(peak + d, outlier, 1) + priorCost(peak + d) - least;
+    const double above = scale_ * cost(peak + d, outlier) + priorCost(peak + d) - least;
     const double weight = share * std::exp(0.5 * z.squaredNorm() - std::max(0.0, above));
     mass += weight, mean += weight * d, square += weight * d * d.transpose();
   }
@@ -210,7 +239,7 @@ Match ScanMatcher::match(const SlamScan& scan, TileMap& map, const PosePrior& pr
 double ScanMatcher::logLikelihood(const SlamScan& scan, TileMap& map, const Pose2& T_map_base, double* score) {
   open(scan, map, T_map_base);
   const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
-  const double at = scale_ * cost(inWindow(T_map_base), outlier, 1);
+  const double at = scale_ * cost(inWindow(T_map_base), outlier);
   if (score) *score = score_;
   return -at;
 }

@@ -60,7 +60,7 @@ const NearestField& TileMap::field(TilePlace place) {
     any = any || around[k];
   }
   if (!any) return *kNothing;
-  auto made = nearestField(around, occupied_);
+  auto made = nearestField(around);
   Slot& kept = writableSlot(place);
   kept.field = std::move(made);
   return *kept.field;

@@ -14,15 +14,15 @@ struct Nearest {
   static constexpr float kUnit = 1.f / 2048.f;  ///< [cells] of `x`, `y`
   enum Kind : std::uint8_t { kNone, kPoint, kLine };
 
-  std::int16_t x = 0, y = 0;  ///< mean of the nearest cell's hits, from the middle of this cell
-  std::int8_t nx = 0, ny = 0; ///< kLine: the wall's normal, times 127; its sign means nothing
-  Kind kind = kNone;          ///< kNone: nothing occupied within NearestField::kReach
+  std::int16_t x, y;   ///< mean of the nearest cell's hits, from the middle of this cell
+  std::int8_t nx, ny;  ///< kLine: the wall's normal, times 127; its sign means nothing
+  Kind kind;           ///< kNone: nothing occupied within NearestField::kReach
 };
 
 struct NearestField : boost::intrusive_ref_counter<NearestField> {
   static constexpr int kReach = 8;               ///< [cells] between middles
   static constexpr int kMargin = kReach + 2;     ///< [cells] about a tile that its field depends on
-  std::array<Nearest, kTileCells> cells;
+  std::array<Nearest, kTileCells> cells{};
 
   const Nearest& at(int x, int y) const { return cells[Tile::index(x, y)]; }
 };
@@ -30,7 +30,7 @@ struct NearestField : boost::intrusive_ref_counter<NearestField> {
 /// The tile and those around it, row by row from low x and y; null where nothing is known.
 using Neighbourhood = std::array<const Tile*, 9>;
 
-/// A cell is occupied where hits / visits >= `threshold`. Distances are between the middles of cells.
-boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles, float threshold);
+/// Nearest by the middles of cells.
+boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles);
 
 }  // namespace field_fusion::core

@@ -51,20 +51,28 @@ class ScanMatcher {
     double cost;
   };
 
+  struct RoughPoint {
+    int x, y;      // cell of the window
+    float dx, dy;  // [cells] from its middle
+  };
+
   void open(const SlamScan& scan, TileMap& map, const Pose2& about);
   Vector inWindow(const Pose2& pose) const;
   Pose2 inMap(const Vector& v) const;
   void setPrior(const PosePrior& prior);
   double priorCost(const Vector& v) const;
-  double cost(const Vector& v, float outlier, std::size_t stride);
+  double cost(const Vector& v, float outlier);
   Normal normal(const Vector& v, float outlier);
   Vector search(const PosePrior& prior);
+  void turnRough(double yaw, std::size_t stride);
+  float roughCost(int dx, int dy, float limit);
   Vector descend(Vector v);
   void sample(const Vector& peak, Match& out);
 
   MatchSettings settings_;
   FieldWindow window_;
   std::vector<float> xs_, ys_;  // [cells] hits in the robot's frame
+  std::vector<RoughPoint> rough_;
   double scale_ = 1.0;          // of a beam's cost
   double reach_ = 1.0;          // [cells] root mean square distance of the hits
   double score_ = 0.0;          // of the last cost

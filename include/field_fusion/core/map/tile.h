@@ -41,6 +41,7 @@ constexpr int kTileCells = kTileSide * kTileSide;
 
 struct Tile : boost::intrusive_ref_counter<Tile> {
   std::array<Cell, kTileCells> cells{};
+  std::array<std::uint32_t, kTileSide> occupied{};  ///< bit x of word y: the cell is a wall, kept by TileMap
   std::uint64_t revision = 0;  ///< tiles of equal revision at one place are equal
 
   /// By the cell's place in the map.

@@ -34,7 +34,6 @@ class TileMap {
   /// A cell became occupied, or no longer is, or its hits' mean moved: fields that depend on it are dropped.
   void forget(int x, int y);
 
-  float occupiedFrom() const { return occupied_; }
   bool isOccupied(const Cell& cell) const {
     return cell.hits > 0 && static_cast<float>(cell.hits) >= occupied_ * static_cast<float>(cell.visits);
   }
