@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "blur.h"
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 #include "film.h"
 #include "random.h"
 #include "shading.h"

@@ -2,7 +2,7 @@
 // Fires a grid of LiDAR beams, each at its own time and place and with a spot of its own size.
 #include "field_fusion/core/sim/lidar_noise.h"
 #include "field_fusion/core/sim/pose_track.h"
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 
 namespace field_fusion::core::sim {
 

@@ -1,19 +1,13 @@
 #pragma once
-// Random numbers that depend on what they are for, not on who asks first: a beam's noise follows from
-// seed, time and place in the scan, whatever the number of threads.
-#include <cmath>
-#include <cstdint>
+// Seeds of sensors, scans and frames; each beam or pixel has a sequence of its own.
 #include <cstring>
 #include <string>
 
+#include "field_fusion/core/base/counter_random.h"
+
 namespace field_fusion::core::sim {
 
-/// 64 well mixed bits of a counter (SplitMix64; Steele, Lea and Flood 2014).
-inline std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
+using BeamRandom = CounterRandom;
 
 /// A sensor's own seed from that of the run and its name (FNV-1a), so that two sensors do not err alike.
 inline std::uint64_t seedOf(std::uint64_t run, const std::string& name) {
@@ -28,33 +22,5 @@ inline std::uint64_t seedOf(std::uint64_t sensor, double stamp) {
   std::memcpy(&bits, &stamp, sizeof bits);
   return mixed(sensor ^ mixed(bits + 1));
 }
-
-class BeamRandom {
- public:
-  /// The sequence of the `index`-th beam or pixel of what `seed` stands for.
-  BeamRandom(std::uint64_t seed, std::uint64_t index) : state_(mixed(seed + index * kStep)) {}
-
-  std::uint64_t bits() { return mixed(state_ += kStep); }
-  /// In [0, 1).
-  float uniform() { return static_cast<float>(bits() >> 40) * 0x1p-24f; }
-  /// Mean 0, sigma 1 (Box and Muller 1958).
-  float normal() {
-    if (spare_ready_) {
-      spare_ready_ = false;
-      return spare_;
-    }
-    const float radius = std::sqrt(-2.f * std::log(1.f - uniform()));
-    const float angle = 6.2831853f * uniform();
-    spare_ = radius * std::sin(angle);
-    spare_ready_ = true;
-    return radius * std::cos(angle);
-  }
-
- private:
-  static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t state_;
-  float spare_ = 0.f;
-  bool spare_ready_ = false;
-};
 
 }  // namespace field_fusion::core::sim

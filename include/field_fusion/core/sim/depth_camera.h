@@ -4,7 +4,7 @@
 #include "field_fusion/core/sim/beam_random.h"
 #include "field_fusion/core/sim/caster.h"
 #include "field_fusion/core/sim/pose_track.h"
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 
 namespace field_fusion::core::sim {
 

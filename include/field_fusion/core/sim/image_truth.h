@@ -7,7 +7,7 @@
 #include "field_fusion/core/detect/image_box.h"
 #include "field_fusion/core/sim/caster.h"
 #include "field_fusion/core/sim/outline.h"
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 
 namespace field_fusion::core::sim {
 

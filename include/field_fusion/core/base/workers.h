@@ -1,11 +1,11 @@
 #pragma once
-// Threads that share the rows of a picture or the beams of a scan.
+// Threads that share the rows of a picture, the beams of a scan or the particles of a filter.
 #include <cstddef>
 #include <memory>
 
-namespace field_fusion::core::sim {
+namespace field_fusion::core {
 
-/// Kept from picture to picture by the sensor that has them.
+/// Kept from one piece of work to the next by who has them.
 class Workers {
  public:
   /// `threads`: with the caller's own; 0: as many as cores.
@@ -35,4 +35,4 @@ class Workers {
   std::unique_ptr<Crew> crew_;
 };
 
-}  // namespace field_fusion::core::sim
+}  // namespace field_fusion::core

@@ -1,4 +1,4 @@
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace field_fusion::core::sim {
+namespace field_fusion::core {
 
-/// Not TBB's, which Embree limits to one thread in all of the process: see newDevice.
+/// Not TBB's, which Embree limits to one thread in all of the process: see newDevice in sim.
 struct Workers::Crew {
   struct Work {
     std::size_t count;
@@ -91,4 +91,4 @@ Workers& Workers::operator=(Workers&&) noexcept = default;
 
 void Workers::share(std::size_t count, const void* job, Call call) { crew_->run({count, job, call}); }
 
-}  // namespace field_fusion::core::sim
+}  // namespace field_fusion::core

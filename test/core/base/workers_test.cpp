@@ -1,4 +1,4 @@
-#include "field_fusion/core/sim/workers.h"
+#include "field_fusion/core/base/workers.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace field_fusion::core::sim {
+namespace field_fusion::core {
 namespace {
 
 class SharedWork : public testing::TestWithParam<int> {};
@@ -58,4 +58,4 @@ TEST(Workers, AreAsManyAsAsked) {
 }
 
 }  // namespace
-}  // namespace field_fusion::core::sim
+}  // namespace field_fusion::core

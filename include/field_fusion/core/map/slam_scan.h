@@ -1,0 +1,29 @@
+#pragma once
+// A scan as the grid SLAM takes it: ends of beams in the robot's frame.
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "field_fusion/core/base/types.h"
+
+namespace field_fusion::core {
+
+struct SlamScan {
+  Eigen::Vector2f origin = Eigen::Vector2f::Zero();  ///< [m] of the beams: the sensor's place
+  std::vector<Eigen::Vector2f> hits;                 ///< [m] ends on something
+  std::vector<Eigen::Vector2f> free;                 ///< [m] ends of what is known to be free, nothing was hit
+};
+
+struct ScanLimits {
+  double min_range = 0.0;     ///< [m] shorter ranges are faults or the robot itself
+  double usable_range = 8.0;  ///< [m] beyond it, a beam only says that its way is free up to here
+  double max_range = 30.0;    ///< [m] ranges from here on say nothing
+};
+
+/// Beam k points to angle_min + k * angle_increment [rad], counter-clockwise about z of a sensor mounted in any
+/// way; only the parts of its beams in the robot's x-y plane are used. Ranges that are not finite, negative or
+/// outside the limits are left out.
+SlamScan slamScan(const std::vector<float>& ranges, double angle_min, double angle_increment,
+                  const Transform& T_base_sensor, const ScanLimits& limits);
+
+}  // namespace field_fusion::core
