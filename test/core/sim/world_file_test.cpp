@@ -2,39 +2,10 @@
 
 #include <stdexcept>
 
-#include "field_fusion/core/base/params_text.h"
-#include "field_fusion/core/sim/imu.h"
-#include "field_fusion/core/sim/scanner2d.h"
-#include "field_fusion/core/sim/world.h"
-#include "support/temp_folder.h"
+#include "world_file.h"
 
 namespace field_fusion::core::sim {
 namespace {
-
-class WorldFile : public testing::Test {
- protected:
-  WorldFile() {
-    ImuParams imu;
-    folder_.write("sensors/imu_a.yaml", "kind: imu\n" + toYaml(declarationOf(imu)));
-    Scanner2dParams scan;
-    folder_.write("sensors/scan_b.yaml", "kind: scanner2d\n" + toYaml(declarationOf(scan)));
-  }
-  World load(const std::string& text) const {
-    return loadWorld(folder_.write("worlds/w.yaml", text).string());
-  }
-  /// What loading says; empty when it loads.
-  std::string fault(const std::string& text) const {
-    try {
-      load(text);
-      return "";
-    } catch (const std::runtime_error& fault) {
-      const std::string what = fault.what();
-      return what.substr(what.rfind("w.yaml:") + 7);
-    }
-  }
-
-  test::TempFolder folder_;
-};
 
 const char* const kFull = R"(
 ground: {kind: plane, slope_deg: [45, 0]}
@@ -157,11 +128,6 @@ TEST_F(WorldFile, StepsAndRoadsShakeWhatMovesAndWavesWhatStandsToo) {
   EXPECT_EQ(tilt(load("robot: {pose: [0, 0], motion: {shake: {preset: waves, full_speed: 1}}}\n"), 0.0), 0.0);
 }
 
-struct Fault {
-  const char* text;
-  const char* says;
-};
-
 class WorldFileFault : public WorldFile, public testing::WithParamInterface<Fault> {};
 
 TEST_P(WorldFileFault, IsNamedWithLineAndKey) { EXPECT_EQ(fault(GetParam().text), GetParam().says); }
@@ -241,46 +207,6 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"dimensions: [{name: d, from: [0, 0, 0], to: [0, 0, 0]}]\n",
               "1: dimensions[0]: both ends are at one place"},
         Fault{"name: [a\n", "2: end of sequence flow not found"}));
-
-INSTANTIATE_TEST_SUITE_P(
-    OddNumbers, WorldFileFault,
-    testing::Values(
-        Fault{"", "1: must be a table"}, Fault{"# nothing\n", "1: must be a table"},
-        Fault{"robot: {pose: [0, 0],\n mounts: [{name: a, model: scan_b, pose: [0, 0, -0.5]}]}\n",
-              "2: robot.mounts[0]: the sensor a is below the ground at the start"},
-        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0, -0.5]}]}\n", ""},
-        Fault{"robot: {pose: [0, 0], body: {shape: box},\n mounts: [{name: a, model: scan_b, pose: [0, 0, 0.5]}]}\n",
-              "2: robot.mounts[0]: the sensor a is inside the robot's own body"},
-        Fault{"ground: {kind: water, waves: [{amplitude: 50, length: 1}]}\n",
-              "1: ground.waves[0].amplitude: 50 breaks: at a length of 1 it must not be above 0.0706"},
-        Fault{"ground: {kind: water, waves: [{amplitude: 0.07, length: 1}]}\n", ""},
-        Fault{"ground: {kind: water, waves: [{amplitude: 0, length: 1.0e+300}]}\n",
-              "1: ground.waves[0].length: 1e+300 is outside [0.01, 10000]"},
-        Fault{"ground:\n kind: rough\n half_extent: 1.0e+7\n grain: 0.01\n",
-              "3: ground.half_extent: 10000000 is outside [0.1, 10000]"},
-        Fault{"ground:\n kind: rough\n half_extent: 97\n grain: 1\n",
-              "4: ground.grain: a half_extent of 97 is more than 96 grains of 1"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0], repeat: {count: [1, 2], step: [0, 0]}}\n",
-              "2: bodies[0].repeat.step[1]: must not be 0: the bodies would stand in each other"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0], repeat: {count: [1, 1], step: [0, 0]}}\n", ""},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0], repeat: {count: [300, 300], step: [1, 1]}}\n",
-              "2: bodies[0]: there are more than 65534 bodies"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0]}\n - {name: b, shape: box, pose: [999, 999]}\n",
-              "3: bodies[1]: the bodies spread over more than 0.2 km^2, too much for a map"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 1.0e+30]}\n",
-              "2: bodies[0].pose[1]: 1e+30 is outside [-10000, 10000]"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0, 1.0e+30]}\n",
-              "2: bodies[0].pose[2]: 1e+30 is outside [-3600, 3600]"},
-        Fault{"bodies:\n - {name: a, shape: box, pose: [0, 0],\n    params: {length: 1.0e+300}}\n",
-              "3: bodies[0].params: box: length must be 0.000001 to 1000"},
-        Fault{"bodies:\n - {name: a, shape: fence, pose: [0, 0], params: {gap: 0.0001}}\n",
-              "2: bodies[0].params: gap must leave at most 10000 pieces"},
-        Fault{"bodies:\n - {name: a, shape: stacked_boxes, pose: [0, 0], params: {count: 0.5}}\n",
-              "2: bodies[0].params: count must be at least 1"},
-        Fault{"robot: {motion: {points: [[0, 0], [2, 0]], speed: 1.0e-300}}\n",
-              "1: robot.motion.speed: 1e-300 is outside [0.001, 1000]"},
-        Fault{"robot: {pose: [0, 0], mounts: [{name: a, model: imu_a, pose: [0, 0, 1.0e+30]}]}\n",
-              "1: robot.mounts[0].pose[2]: 1e+30 is outside [-10000, 10000]"}));
 
 TEST_F(WorldFile, MissingMeshAndNegativeSizeAreNamed) {
   const std::string mesh = fault("bodies:\n - {name: a, mesh: hull.obj, pose: [0, 0]}\n");
