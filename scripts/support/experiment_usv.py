@@ -7,11 +7,12 @@ import usv_harbour
 import usv_latency
 import usv_positions
 import usv_report
+import usv_small
 import usv_timing
 
 TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
-PARTS = ("table1", "far", "harbour")
+PARTS = ("table1", "far", "harbour", "small")
 TIMED = ("timing", "latency")  # in real time: on a machine that does nothing else
 MODEL = "models/usv.onnx"
 
@@ -52,7 +53,7 @@ def run(experiment):
     if not given.model:
         experiment.say("DETECTIONS ARE THE TRUTH of the simulator, not a detector's")
     tables, figures = [], []
-    for part in (_places, _harbour, _timed):
+    for part in (_places, _harbour, _small, _timed):
         for name, columns, rows, table, lines in part(experiment):
             experiment.table(f"usv_{name}", columns, rows)
             tables += table
@@ -78,6 +79,12 @@ def _harbour(experiment):
     if "harbour" in experiment.given.parts:
         tallies = usv_harbour.run(experiment, METHODS)
         yield "harbour", usv_harbour.COLUMNS, usv_harbour.csv_rows(tallies), usv_harbour.table(tallies), usv_harbour.lines(tallies)
+
+
+def _small(experiment):
+    if "small" in experiment.given.parts:
+        found = usv_small.run(experiment, METHODS)
+        yield "small", usv_small.COLUMNS, usv_small.csv_rows(found), usv_small.table(found), usv_small.lines(found)
 
 
 def _timed(experiment):

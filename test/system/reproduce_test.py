@@ -58,6 +58,15 @@ def test_a_crossing_boat_is_matched_and_its_latency_told():
     assert re.search(r"^free, on time +[01]\.", said, re.M)
 
 
+def test_black_buoys_are_found_farther_with_a_box_than_without():
+    figures, said = reproduced("--quick", "--parts", "small")
+    found = lambda system, bin: figures[f"usv/small/{system}/found/{bin}"][0]
+    assert found("lidar", "5_10m") == 1.0 and found("lidar", "20_25m") < 0.1  # a few returns of a body are none by themselves
+    assert found("lidar", "15_20m") < found("faint", "15_20m") <= found("fused", "15_20m")
+    assert found("fused", "30_40m") > 0.9 and figures["usv/small/camera/range_mae/30_40m"][1] == "m"
+    assert re.search(r"^5-10m +[0-9.]+ +1\.00", said, re.M)
+
+
 @pytest.fixture
 def untrained(tmp_path, monkeypatch):
     """A detector that has learnt nothing takes as long as another."""
