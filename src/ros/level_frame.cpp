@@ -7,6 +7,11 @@
 
 namespace field_fusion {
 
+void LevelFrame::setParams(const LevelParams& params) {
+  if (!broadcaster_) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
+  params_ = params;
+}
+
 bool LevelFrame::ready(const std_msgs::Header& header, const TfCache& tf) const {
   return tf.has(params_.base_frame, header) &&
          (params_.up_frame.empty() || tf.has(params_.up_frame, params_.base_frame, header.stamp));
@@ -19,7 +24,6 @@ core::Transform LevelFrame::send(const ros::Time& stamp, const TfCache& tf) {
   const auto T_plane_base = core::overLevelPlane(T_up_base, params_.base_height - params_.plane_height);
   if (!T_plane_base.matrix().allFinite())
     throw std::runtime_error("the robot stands on end: it has no heading");
-  if (!broadcaster_) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   broadcaster_->sendTransform(
       transformMessage(stamp, params_.base_frame, params_.plane_frame, T_plane_base.inverse()));
   return T_plane_base;

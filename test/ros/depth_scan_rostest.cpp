@@ -9,6 +9,7 @@
 #include "field_fusion/ros/cloud_message.h"
 #include "support/depth_room.h"
 #include "support/frames.h"
+#include "support/stage_probe.h"
 
 namespace field_fusion::test {
 namespace {
@@ -59,7 +60,8 @@ class DepthScanStage : public testing::Test {
     return out.last && out.last->header.stamp == ros::Time(now_);
   }
   bool works() {
-    return askUntil([this] { return came(out_); }, [this] { next(), image_.send(millimetres()); });
+    return askUntil([this] { return came(out_) && frames_.knows(now_, "odom", "scan_plane"); },
+                    [this] { next(), image_.send(millimetres()); });
   }
   static float ahead(const sensor_msgs::LaserScan& scan) {
     return scan.ranges.at(static_cast<std::size_t>(std::lround(-scan.angle_min / scan.angle_increment)));

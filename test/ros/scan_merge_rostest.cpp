@@ -3,6 +3,7 @@
 
 #include "field_fusion/ros/scan_message.h"
 #include "support/frames.h"
+#include "support/stage_probe.h"
 
 namespace field_fusion::test {
 namespace {

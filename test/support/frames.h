@@ -6,7 +6,6 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "field_fusion/ros/recording.h"
-#include "support/stage_probe.h"
 
 namespace field_fusion::test {
 
@@ -20,13 +19,11 @@ class Frames {
             const core::Transform& T_parent_child) {
     moving_.sendTransform(transformMessage(ros::Time(stamp), parent, child, T_parent_child));
   }
-  /// Waits until it is known; NaN after the deadline.
-  core::Transform at(double stamp, const std::string& target, const std::string& source) {
-    core::Transform out;
-    out.matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
-    if (spinUntil([&] { return buffer_.canTransform(target, source, ros::Time(stamp)); }))
-      out = tf2::transformToEigen(buffer_.lookupTransform(target, source, ros::Time(stamp)));
-    return out;
+  bool knows(double stamp, const std::string& target, const std::string& source) const {
+    return buffer_.canTransform(target, source, ros::Time(stamp));
+  }
+  core::Transform at(double stamp, const std::string& target, const std::string& source) const {
+    return tf2::transformToEigen(buffer_.lookupTransform(target, source, ros::Time(stamp)));
   }
 
  private:

@@ -35,7 +35,8 @@ struct LevelParams {
 
 class LevelFrame {
  public:
-  void setParams(const LevelParams& params) { params_ = params; }
+  /// From the first call on others can listen to the frame; not before ROS runs.
+  void setParams(const LevelParams& params);
 
   /// Whether the pose of the base, and that of a sensor on it, is known at the stamp of the message.
   bool ready(const std_msgs::Header& header, const TfCache& tf) const;
