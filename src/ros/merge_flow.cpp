@@ -18,13 +18,13 @@ void MergeFlow::reset() {
   last_ = {};
 }
 
-bool MergeFlow::fresh(const Input& input, const ros::Time& stamp) const {
-  return !input.header.stamp.isZero() && std::abs((stamp - input.header.stamp).toSec()) <= params_.max_age;
+bool MergeFlow::within(const Input& input, const ros::Time& stamp, double seconds) {
+  return !input.header.stamp.isZero() && std::abs((stamp - input.header.stamp).toSec()) <= seconds;
 }
 
 bool MergeFlow::leads(std::size_t input, const ros::Time& stamp) const {
   for (std::size_t i = 0; i < input; ++i)
-    if (fresh(inputs_[i], stamp)) return false;
+    if (within(inputs_[i], stamp, params_.silence)) return false;
   return stamp > last_;
 }
 
@@ -42,7 +42,7 @@ boost::shared_ptr<sensor_msgs::LaserScan> MergeFlow::run(std::size_t input,
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     auto& in = inputs_[i];
     in.merged = false;
-    if (fresh(in, stamp)) try {
+    if (within(in, stamp, params_.max_age)) try {
         merger_.add(in.scan, level_.sensor(T_plane_base, stamp, in.header, tf));
         in.merged = true;
       } catch (const std::runtime_error& e) {

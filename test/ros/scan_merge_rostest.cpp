@@ -83,6 +83,17 @@ TEST_F(ScanMergeStage, NearestOfBothAndThePartnerAtItsOwnStamp) {
   EXPECT_FLOAT_EQ(out_.last->ranges[90], 6.f);
 }
 
+TEST_F(ScanMergeStage, PartnerThatIsAheadDoesNotTakeOver) {
+  // a scan comes when its last beam is measured: until then others are ahead of the last one
+  ASSERT_TRUE(works());
+  now_ += 0.3;
+  for (int i = -20; i <= 20; ++i) frames_.send(now_ + 0.01 * i, "odom", "base", pose(now_));
+  depth_.send(scanAt(now_, "depth", 2.f, core::kNaN));
+  scan_.send(scanAt(now_ -= 0.15, "laser", 5.f, 6.f));
+  ASSERT_TRUE(came());
+  EXPECT_FLOAT_EQ(out_.last->ranges[90], 6.f);
+}
+
 TEST_F(ScanMergeStage, PitchIsTakenOutOfTheProjection) {
   ASSERT_TRUE(works());
   pitch_ = core::radians(-5.0);  // looks up

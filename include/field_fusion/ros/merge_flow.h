@@ -12,7 +12,8 @@ namespace field_fusion {
 
 struct ScanMergeParams {
   std::vector<std::string> scans{"scan", "depth_scan"};
-  double max_age = 0.15;
+  double max_age = 0.2;
+  double silence = 0.5;
   core::MergeParams merge;
   LevelParams level;
 
@@ -20,7 +21,10 @@ struct ScanMergeParams {
     p.texts("scans", scans, core::When::kStart,
             "Topics of the scans. The first gives the stamps; while it is silent, the next does.");
     p.number("max_age", max_age, {0.0, 10.0}, "s", core::When::kLive,
-             "Scans farther apart do not go together; a scanner silent for longer is missing.");
+             "Scans farther apart do not go together.");
+    p.number(
+        "silence", silence, {0.01, 100.0}, "s", core::When::kLive,
+        "A scanner whose last stamp is older no longer gives the stamps; above its period and duration.");
     merge.declare(p);
     level.declare(p);
     p.rule([this] { return !scans.empty(); }, "scans must name a topic");
@@ -50,7 +54,7 @@ class MergeFlow {
     std_msgs::Header header;  // stamp 0: none yet
     bool merged = false;      // in the last result
   };
-  bool fresh(const Input& input, const ros::Time& stamp) const;
+  static bool within(const Input& input, const ros::Time& stamp, double seconds);
   bool leads(std::size_t input, const ros::Time& stamp) const;
 
   ScanMergeParams params_;
