@@ -3,7 +3,9 @@
 #include "field_fusion/core/match/match.h"
 #include "field_fusion/ros/cloud_flow.h"
 #include "field_fusion/ros/costmap_feed.h"
+#include "field_fusion/ros/depth_scan_flow.h"
 #include "field_fusion/ros/markers.h"
+#include "field_fusion/ros/merge_flow.h"
 #include "field_fusion/ros/scan_flow.h"
 #include "field_fusion/ros/sim_params.h"
 #include "field_fusion/ros/stage_params.h"
@@ -27,11 +29,12 @@ StageDeclaration declaration(const char* name) {
 
 const std::vector<StageDeclaration>& stageDeclarations() {
   static const std::vector<StageDeclaration> all{
-      declaration<DeskewScanParams>("deskew_scan"), declaration<DeskewCloudParams>("deskew_cloud"),
-      declaration<FilterStageParams>("filter"),     declaration<GroundStageParams>("ground"),
-      declaration<core::ClusterParams>("cluster"),  declaration<core::DetectParams>("detect"),
-      declaration<core::MatchParams>("match"),      declaration<MarkersParams>("markers"),
-      declaration<CostmapParams>("costmap"),        declaration<SimNodeParams>("sim"),
+      declaration<DeskewScanParams>("deskew_scan"),    declaration<DeskewCloudParams>("deskew_cloud"),
+      declaration<DepthScanStageParams>("depth_scan"), declaration<ScanMergeParams>("scan_merge"),
+      declaration<FilterStageParams>("filter"),        declaration<GroundStageParams>("ground"),
+      declaration<core::ClusterParams>("cluster"),     declaration<core::DetectParams>("detect"),
+      declaration<core::MatchParams>("match"),         declaration<MarkersParams>("markers"),
+      declaration<CostmapParams>("costmap"),           declaration<SimNodeParams>("sim"),
   };
   return all;
 }

@@ -4,7 +4,8 @@ import re
 from conftest import ROOT
 from ros_session import RosSession
 
-STAGES = ["deskew_scan", "deskew_cloud", "filter", "ground", "cluster", "detect", "match", "markers", "costmap"]
+STAGES = ["deskew_scan", "deskew_cloud", "depth_scan", "scan_merge", "filter", "ground", "cluster", "detect", "match", "markers",
+          "costmap"]
 OWN = re.compile(r"parameter_(descriptions|updates)$|^/(rosout|diagnostics|tf|tf_static)$")
 
 

@@ -9,27 +9,11 @@
 namespace field_fusion::core {
 namespace {
 
-std::vector<Eigen::AlignedBox3f> boxesOf(const std::vector<double>& numbers) {
-  std::vector<Eigen::AlignedBox3f> out;
-  for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6)
-    out.emplace_back(Eigen::Vector3d(&numbers[i]).cast<float>(),
-                     Eigen::Vector3d(&numbers[i + 3]).cast<float>());
-  return out;
-}
-
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace
-
-bool FilterParams::isBoxes(const std::vector<double>& numbers) {
-  if (numbers.size() % 6 != 0) return false;
-  for (std::size_t i = 0; i < numbers.size(); i += 6)
-    for (std::size_t k = i; k < i + 3; ++k)
-      if (!(numbers[k] < numbers[k + 3])) return false;
-  return true;
-}
 
 void Filter::setParams(const FilterParams& params) {
   params_ = checked(params);

@@ -4,6 +4,7 @@
 
 #include "field_fusion/core/base/params.h"
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/cloud/boxes.h"
 #include "field_fusion/core/cloud/voxel.h"
 
 namespace field_fusion::core {
@@ -36,13 +37,11 @@ struct FilterParams {
     p.rule([this] { return azimuth_min != azimuth_max; }, "azimuth_min and azimuth_max must differ");
     p.rule([this] { return voxel_size == 0.0 || voxel_size >= 0.01; },
            "voxel_size must be 0 or at least 0.01");
-    p.rule([this] { return box.size() <= 6 && isBoxes(box); },
+    p.rule([this] { return box.size() <= 6 && areBoxes(box); },
            "box must hold 0 or 6 numbers, each min below its max");
-    p.rule([this] { return isBoxes(body); }, "body must hold 6 numbers for each box, each min below its max");
+    p.rule([this] { return areBoxes(body); },
+           "body must hold 6 numbers for each box, each min below its max");
   }
-
-  /// Whether the numbers form boxes of six, each min below its max.
-  static bool isBoxes(const std::vector<double>& numbers);
 };
 
 /// What became of the points of one cloud; the drops count each point once, by the first test it failed.
