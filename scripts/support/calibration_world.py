@@ -44,4 +44,4 @@ def world(name, seed, poses):
         "robot": {"name": "rig", "pose": [0, 0, 0], "mounts": [
             {"name": "lidar", "model": "vlp16", "pose": [0.05, 0, HEIGHT + 0.1]},
             {"name": "scan", "model": "rplidar_a3", "pose": [0.05, 0, HEIGHT]},
-            {"name": "camera", "model": "wide_105", "pose": [0.3, 0, HEIGHT - 0.1, 0, 3, 0], "rate": 5.0, "samples": 3}]}}
+            {"name": "camera", "model": "wide_105", "pose": [0.3, 0, HEIGHT - 0.1, 0, 3, 0], "rate": 4.0, "samples": 2}]}}

@@ -59,7 +59,7 @@ def _seed(experiment, seed):
     count = QUICK_POSES if experiment.quick else POSES
     experiment.say(f"seed {seed}: {count} poses")
     world = calibration_world.world("calibration", seed, count)
-    bag = experiment.bag(world, count * calibration_world.REST, seed)
+    bag = experiment.bag(world, count * calibration_world.REST + 0.5, seed)
     out = [_calibrated(experiment, bag, seed, kind, count) for kind in SENSORS]
     experiment.done(bag)
     return out

@@ -37,7 +37,7 @@ def calibrate(bag, *more):
 @pytest.mark.parametrize("topic, frame, more", [
     ("/lidar/points", "lidar", ("--range-offset", "0.01")),
     ("/lidar/points", "lidar", ("--range-offset", "0.01", "--ignore-tf")),
-    ("/scan/scan", "scan", ("--range-offset", "0.005")),
+    ("/scan/scan", "scan", ("--range-offset", "0.005", "--range-scale", "0.003")),
 ])
 def test_the_place_is_found_within_what_is_stated(bag, topic, frame, more, tmp_path):
     done = calibrate(bag, *TOPICS, "--lidar", topic, "--out", tmp_path / "out", *more)
