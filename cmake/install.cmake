@@ -1,5 +1,5 @@
 # Where catkin packages have their parts; the programs in Python are in scripts.cmake.
-install(TARGETS field_fusion_core field_fusion_sim field_fusion_ros field_fusion_sim_ros field_fusion_nodelets
+install(TARGETS field_fusion_core field_fusion_calib field_fusion_sim field_fusion_ros field_fusion_sim_ros field_fusion_nodelets
   field_fusion_sim_nodelets ${run_time_libraries}
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

@@ -49,6 +49,8 @@ find_package(PCL REQUIRED COMPONENTS registration)
 target_link_libraries(make_bag field_fusion_sim_ros)
 target_link_libraries(write_params field_fusion_sim)
 target_link_libraries(world_urdf field_fusion_sim_ros)
+target_link_libraries(calibrate_lidar_camera field_fusion_calib)
+target_link_libraries(calibration_coverage field_fusion_calib)
 target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header
 
@@ -62,7 +64,7 @@ foreach(source ${bench_sources})
 endforeach()
 
 # these libraries, too, were made before catkin named their place; OpenVINO's is looked for beside core
-foreach(library field_fusion_core field_fusion_sim ${run_time_libraries})
+foreach(library field_fusion_core field_fusion_calib field_fusion_sim ${run_time_libraries})
   set_target_properties(${library} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_LIB_DESTINATION})
 endforeach()

@@ -6,6 +6,7 @@
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace field_fusion::core {
 namespace {
@@ -21,6 +22,15 @@ Transform transformOf(const cv::Vec3d& turn, const cv::Vec3d& shift) {
   T.linear() = linear;
   T.translation() << shift[0], shift[1], shift[2];
   return T;
+}
+
+/// Where the borders of the four squares meet: twice to four times nearer than the first search.
+void sharpen(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
+  double nearest = 1e9;
+  for (std::size_t i = 1; i < corners.size(); ++i) nearest = std::min(nearest, cv::norm(corners[i] - corners[i - 1]));
+  const int half = std::clamp(static_cast<int>(0.4 * nearest), 2, 8);  // [px] of the window; no other corner in it
+  cv::cornerSubPix(grey, corners, {half, half}, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 50, 1e-3});
 }
 
 }  // namespace
@@ -75,6 +85,7 @@ std::optional<BoardView> findBoard(const cv::Mat& grey, const Board& board, cons
   std::vector<cv::Point2f> found;
   const int flags = cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY;
   if (!cv::findChessboardCornersSB(grey, {board.columns, board.rows}, found, flags)) return {};
+  sharpen(grey, found);
   std::vector<Eigen::Vector2d> corners;
   for (const cv::Point2f& p : found) corners.emplace_back(p.x, p.y);
   return locateBoard(corners, board, lens);

@@ -177,6 +177,14 @@ void JointProblem::build(ceres::Problem& problem) {
 double JointProblem::minimise(ceres::Problem& problem, ceres::LinearSolverType solver, double tolerance) {
   ceres::Solver::Options options;
   options.linear_solver_type = solver;
+  if (solver == ceres::DENSE_SCHUR) {
+    auto* order = new ceres::ParameterBlockOrdering;
+    std::vector<double*> all;
+    problem.GetParameterBlocks(&all);
+    for (double* block : all) order->AddElementToGroup(block, 1);
+    for (PoseBlock& block : blocks_) order->AddElementToGroup(block.x.data(), 0);  // eliminated first
+    options.linear_solver_ordering.reset(order);
+  }
   options.max_num_iterations = 100;
   options.function_tolerance = options.parameter_tolerance = tolerance, options.gradient_tolerance = 1e-14;
   options.logging_type = ceres::SILENT;
@@ -209,7 +217,7 @@ void JointProblem::solve() {
     if (i > 0) measureNoise();
     ceres::Problem problem;
     build(problem);
-    minimise(problem, ceres::SPARSE_SCHUR, i < kRounds ? kCoarse : kFine);
+    minimise(problem, ceres::DENSE_SCHUR, i < kRounds ? kCoarse : kFine);
   }
 }
 
@@ -261,7 +269,7 @@ bool JointProblem::covariance(Eigen::Matrix<double, 6, 6>& out) {
   ceres::Problem problem;
   build(problem);
   ceres::Covariance::Options options;
-  options.num_threads = 1;
+  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;  // SuiteSparse's threads get in each other's way
   ceres::Covariance covariance(options);
   const std::vector<std::pair<const double*, const double*>> blocks{{x_.data(), x_.data()}};
   if (!covariance.Compute(blocks, &problem)) return false;

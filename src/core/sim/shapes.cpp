@@ -40,7 +40,7 @@ const std::map<std::string, ShapeKind>& shapeKinds() {
     ShapeKinds all;
     for (auto* part : {plainShapes, obstacleShapes, furnitureShapes, chairShapes, stoolShapes, boxShapes,
                        streetShapes, vehicleShapes, inflatedShapes, marineShapes, cageShapes, boatShapes,
-                       buoyShapes, bollardShapes, personShapes})
+                       buoyShapes, bollardShapes, personShapes, boardShapes})
       all.merge(part());
     return all;
   }();

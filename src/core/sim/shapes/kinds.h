@@ -14,6 +14,7 @@ ShapeKinds vehicleShapes();
 ShapeKinds chairShapes();
 ShapeKinds stoolShapes();
 ShapeKinds boxShapes();
+ShapeKinds boardShapes();
 ShapeKinds inflatedShapes();
 ShapeKinds marineShapes();
 ShapeKinds cageShapes();

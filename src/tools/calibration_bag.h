@@ -1,0 +1,143 @@
+#pragma once
+// What calibrate_lidar_camera takes from a bag.
+#include <cv_bridge/cv_bridge.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2_eigen/tf2_eigen.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "field_fusion/core/calib/board.h"
+#include "field_fusion/ros/cloud_message.h"
+
+namespace field_fusion {
+
+/// A cloud or scan; a scan's points have z = 0.
+struct LaserFrame {
+  std::string frame;
+  double begin = 0.0, end = 0.0;  ///< [s]
+  core::Cloud cloud;
+};
+
+class CalibrationBag {
+ public:
+  explicit CalibrationBag(const std::string& file) : bag_(file), file_(file) {
+    rosbag::View all(bag_);
+    for (const rosbag::ConnectionInfo* c : all.getConnections()) types_[c->topic] = c->datatype;
+  }
+
+  /// `wanted`, or the only topic that has one of these types. Throws std::runtime_error with those there are.
+  std::string topic(const std::string& wanted, const std::string& option, const std::set<std::string>& types) const {
+    std::string names;
+    std::vector<std::string> fit;
+    for (const auto& [name, type] : types_)
+      if (types.count(type)) fit.push_back(name), names += (names.empty() ? "" : ", ") + name;
+    const std::string those = names.empty() ? "there is none" : "there are " + names;
+    if (wanted.empty() && fit.size() != 1) throw std::runtime_error(file_ + ": " + option + " is needed; " + those);
+    if (!wanted.empty() && !std::count(fit.begin(), fit.end(), wanted))
+      throw std::runtime_error(file_ + ": " + option + " " + wanted + " is no topic of that type; " + those);
+    return wanted.empty() ? fit.front() : wanted;
+  }
+
+  template <class Message>
+  typename Message::ConstPtr first(const std::string& topic) {
+    rosbag::View view(bag_, rosbag::TopicQuery(topic));
+    for (const rosbag::MessageInstance& m : view) return m.instantiate<Message>();
+    throw std::runtime_error(file_ + ": " + topic + " has no messages");
+  }
+
+  /// Each picture in its order: bgr8 and its stamp [s]; `take` gets done and all.
+  void pictures(const std::string& topic,
+                const std::function<void(double, const cv::Mat&, std::size_t, std::size_t)>& take) {
+    rosbag::View view(bag_, rosbag::TopicQuery(topic));
+    std::size_t done = 0;
+    for (const rosbag::MessageInstance& m : view) {
+      ++done;
+      if (const auto image = m.instantiate<sensor_msgs::Image>())
+        take(image->header.stamp.toSec(), cv_bridge::toCvShare(image, "bgr8")->image, done, view.size());
+      else if (const auto packed = m.instantiate<sensor_msgs::CompressedImage>())
+        take(packed->header.stamp.toSec(), cv_bridge::toCvCopy(*packed, "bgr8")->image, done, view.size());
+    }
+  }
+
+  void frames(const std::string& topic, const std::function<void(const LaserFrame&)>& take) {
+    rosbag::View view(bag_, rosbag::TopicQuery(topic));
+    for (const rosbag::MessageInstance& m : view) {
+      if (const auto scan = m.instantiate<sensor_msgs::LaserScan>())
+        take(ofScan(*scan));
+      else if (const auto cloud = m.instantiate<CloudMessage>())
+        take(ofCloud(*cloud));
+    }
+  }
+
+  /// T_target_source by /tf_static; nothing where it does not link them.
+  std::optional<core::Transform> staticTransform(const std::string& target, const std::string& source) {
+    tf2::BufferCore buffer;
+    rosbag::View view(bag_, rosbag::TopicQuery("/tf_static"));
+    for (const rosbag::MessageInstance& m : view)
+      if (const auto message = m.instantiate<tf2_msgs::TFMessage>())
+        for (const auto& transform : message->transforms) buffer.setTransform(transform, file_, true);
+    try {
+      return tf2::transformToEigen(buffer.lookupTransform(target, source, ros::Time(0)));
+    } catch (const tf2::TransformException&) {
+      return {};
+    }
+  }
+
+ private:
+  LaserFrame ofCloud(const CloudMessage& message) const {
+    if (!message.fault.empty()) throw std::runtime_error(file_ + ": " + message.fault);
+    constexpr double kTurn = 0.1;  // [s] of a cloud that tells no times
+    LaserFrame out{message.header.frame_id, message.header.stamp.toSec(), 0.0, message.points};
+    double last = 0.0;
+    bool timed = false;
+    for (const core::Point& p : message.points)
+      if (std::isfinite(p.time)) last = std::max(last, static_cast<double>(p.time)), timed = true;
+    out.end = out.begin + (timed ? last : kTurn);
+    return out;
+  }
+
+  static LaserFrame ofScan(const sensor_msgs::LaserScan& scan) {
+    LaserFrame out{scan.header.frame_id, scan.header.stamp.toSec(), 0.0, {}};
+    out.end = out.begin + static_cast<double>(scan.time_increment) * static_cast<double>(scan.ranges.size());
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      const double range = scan.ranges[i];
+      if (!(range >= scan.range_min && range <= scan.range_max)) continue;
+      const double angle = scan.angle_min + static_cast<double>(i) * static_cast<double>(scan.angle_increment);
+      core::Point point;
+      point.x = static_cast<float>(range * std::cos(angle)), point.y = static_cast<float>(range * std::sin(angle));
+      point.ring = 0;
+      out.cloud.push_back(point);
+    }
+    return out;
+  }
+
+  rosbag::Bag bag_;
+  std::string file_;
+  std::map<std::string, std::string> types_;
+};
+
+/// Throws std::runtime_error for a camera that was never calibrated or has a lens of another model.
+inline core::CameraLens lensOf(const sensor_msgs::CameraInfo& info) {
+  core::CameraLens lens{{info.K[0], info.K[4], info.K[2], info.K[5]}, {}};
+  if (!lens.pinhole.known()) throw std::runtime_error("camera info is not calibrated: K has no focal lengths");
+  const bool straight = std::all_of(info.D.begin(), info.D.end(), [](double d) { return d == 0.0; });
+  if (!straight && info.distortion_model != "plumb_bob" && info.distortion_model != "rational_polynomial")
+    throw std::runtime_error("camera info has the distortion model " + info.distortion_model +
+                             "; plumb_bob and rational_polynomial are understood");
+  if (info.D.size() > lens.distortion.size())
+    throw std::runtime_error("camera info has " + std::to_string(info.D.size()) + " coefficients of distortion, 8 at most");
+  std::copy(info.D.begin(), info.D.end(), lens.distortion.begin());
+  for (const double d : lens.distortion)
+    if (!std::isfinite(d)) throw std::runtime_error("camera info is not finite: D");
+  return lens;
+}
+
+}  // namespace field_fusion

@@ -1,0 +1,86 @@
+"""calibrate_lidar_camera: the place of a simulated LiDAR and scanner found from a bag, and what is said of bags that tell nothing."""
+import re
+import sys
+
+import cv2
+import numpy
+import pytest
+import rosbag
+import yaml
+
+from conftest import ROOT, rosrun
+
+sys.path.insert(0, str(ROOT / "scripts/support"))
+import calibration_world  # noqa: E402
+import experiment_calibration  # noqa: E402
+
+POSES = 8
+TOPICS = ("--board", calibration_world.BOARD, "--image", "/camera/image_raw", "--camera-info", "/camera/camera_info")
+
+
+@pytest.fixture(scope="module")
+def bag(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("calibration")
+    (folder / "worlds").mkdir()
+    (folder / "sensors").symlink_to(ROOT / "config/sensors")
+    world = folder / "worlds/boards.yaml"
+    world.write_text(yaml.safe_dump(calibration_world.world("boards", 7, POSES)))
+    done = rosrun("make_bag", world, folder / "boards.bag", "--seconds", POSES * calibration_world.REST)
+    assert done.returncode == 0, done.stderr
+    return folder / "boards.bag"
+
+
+def calibrate(bag, *more):
+    return rosrun("calibrate_lidar_camera", bag, *more)
+
+
+@pytest.mark.parametrize("topic, frame, more", [
+    ("/lidar/points", "lidar", ("--range-offset", "0.01")),
+    ("/lidar/points", "lidar", ("--range-offset", "0.01", "--ignore-tf")),
+    ("/scan/scan", "scan", ("--range-offset", "0.005", "--range-scale", "0.003")),
+])
+def test_the_place_is_found_within_what_is_stated(bag, topic, frame, more, tmp_path):
+    done = calibrate(bag, *TOPICS, "--lidar", topic, "--out", tmp_path / "out", *more)
+    assert done.returncode == 0, done.stdout + done.stderr
+    result = yaml.safe_load((tmp_path / "out/calibration.yaml").read_text())
+    assert (result["camera_frame"], result["lidar_frame"]) == ("camera_optical", frame)
+    truth = experiment_calibration.true_transform(bag, "camera_optical", frame)
+    off = experiment_calibration.error(numpy.array(result["T_camera_lidar"]), truth)
+    deviations = numpy.sqrt(numpy.diag(numpy.array(result["covariance"])))
+    assert numpy.all(numpy.abs(off) < 5 * deviations)
+    assert len(re.findall(r"^pose_\d+ ", done.stdout, re.M)) >= POSES - 1
+    pictures = sorted((tmp_path / "out").glob("pose_*.png"))
+    assert len(pictures) >= POSES - 1 and cv2.imread(str(pictures[0])).shape == (540, 720, 3)
+
+
+def test_the_launch_file_tells_the_same_as_the_table(bag, tmp_path):
+    assert calibrate(bag, *TOPICS, "--lidar", "/lidar/points", "--out", tmp_path).returncode == 0
+    found = numpy.array(yaml.safe_load((tmp_path / "calibration.yaml").read_text())["T_camera_lidar"])
+    numbers = re.search(r'args="([^"]+) lidar camera_optical"', (tmp_path / "static_transform.launch").read_text())[1].split()
+    assert numpy.allclose([float(n) for n in numbers[:3]], numpy.linalg.inv(found)[:3, 3], atol=1e-6)
+
+
+BAD = {
+    ("--board", "8x6"): "board 8x6 is not COLUMNSxROWSxSQUARE",
+    ("--board", "7x5x0.1", "--image", "/camera/image_raw", "--lidar", "/lidar/points"): "no picture shows the whole board 7x5x0.1",
+    (*TOPICS,): "--lidar is needed; there are",
+    (*TOPICS, "--lidar", "/camera/image_raw"): "--lidar /camera/image_raw is no topic of that type",
+    (*TOPICS, "--lidar", "/lidar/points", "--rest", "50"): "the board rests nowhere",
+}
+
+
+@pytest.mark.parametrize("arguments", BAD)
+def test_a_wrong_wish_is_answered_by_what_is_there(bag, arguments, tmp_path):
+    done = calibrate(bag, *arguments, "--out", tmp_path)
+    assert done.returncode == 1 and BAD[arguments] in done.stderr, done.stdout + done.stderr
+
+
+def test_a_board_in_two_poses_is_refused(bag, tmp_path):
+    short = tmp_path / "short.bag"
+    with rosbag.Bag(str(bag)) as whole, rosbag.Bag(str(short), "w") as out:
+        begin = whole.get_start_time()
+        for topic, message, stamp in whole.read_messages():
+            if stamp.to_sec() - begin < 2 * calibration_world.REST:
+                out.write(topic, message, stamp)
+    done = calibrate(short, *TOPICS, "--lidar", "/lidar/points", "--out", tmp_path)
+    assert done.returncode == 1 and "three at least" in done.stderr, done.stdout + done.stderr
