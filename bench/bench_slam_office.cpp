@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   params.threads = 1;
   int seeds = 5;
   std::vector<std::string> sets;
-  std::string view = "270", step = "0.5", name = "office", poses;
+  std::string view = "360", step = "1.0", name = "office", poses;
   CLI::App app("Runs the grid SLAM in the simulated office and compares the best path with the true one.");
   app.add_option("--seeds", seeds, "runs; each draws odometry, scans and particles anew")->check(CLI::Range(1, 1000));
   app.add_option("--view", view, "field of view [deg]"), app.add_option("--step", step, "from beam to beam [deg]");

@@ -17,7 +17,7 @@ inline core::Pose2 flat(const core::Transform& T) {
   return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
 }
 
-/// Ten scans a second of a scanner with `field_of_view` and `angle_step` [deg], all round the office. Each is
+/// Ten scans a second, up to 10 m with a noise of 1 cm, of a scanner with `field_of_view` and `angle_step` [deg], all round the office. Each is
 /// taken at one instant, as after `deskew_scan`.
 inline OfficeLog officeLog(std::uint64_t seed, const std::string& field_of_view, const std::string& angle_step,
                            const core::ScanLimits& limits) {
@@ -26,9 +26,11 @@ inline OfficeLog officeLog(std::uint64_t seed, const std::string& field_of_view,
   const World world = loadWorld(config + "worlds/office.yaml");
   Caster caster(world);
   const auto& way = world.robot.way;
-  Scanner2d scanner(std::get<Scanner2dParams>(sensorParams(
-                        config + "sensors", "lms141", {{"field_of_view", field_of_view}, {"angle_step", angle_step}, {"range_bias", "0.0"}})),
-                    seedOf(seed, "scan"));
+  const Overrides ideal = {{"field_of_view", field_of_view}, {"angle_step", angle_step}, {"range_bias", "0.0"},
+                           {"range_noise", "0.01"}, {"spot_width", "0.0"}, {"spot_height", "0.0"},
+                           {"divergence_width", "0.0"}, {"divergence_height", "0.0"}, {"max_range", "10.0"},
+                           {"min_range", "0.1"}};
+  Scanner2d scanner(std::get<Scanner2dParams>(sensorParams(config + "sensors", "lms141", ideal)), seedOf(seed, "scan"));
   WheelOdometry wheels(std::get<WheelOdometryParams>(sensorParams(config + "sensors", "wheel_odometry")), way,
                        seedOf(seed, "odom"));
   core::Transform T_base_sensor = core::Transform::Identity();
