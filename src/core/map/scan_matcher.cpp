@@ -10,13 +10,14 @@ namespace field_fusion::core {
 namespace {
 
 constexpr float kAlongWall = 1.f;    // [cells] an end may lie off the nearest cell along its wall
-constexpr double kUnseen = 0.5;      // cost of an end where nobody has looked yet, of the full one
+constexpr double kUnseen = 0.25;     // cost of an end where nobody has looked yet, of the full one
 constexpr double kMargin = 24.0;     // [cells] that a match may move
 
 /// How an end at (px, py), turned by (c, s) from the robot's frame, misses what is nearest to it: across and
 /// along the wall [cells]. The wall's direction is the map's, or else the scan's own.
 struct Miss {
   float across, along, nx, ny;
+  bool wall = true;
 
   template <class Hit>
   Miss(const Nearest& nearest, int x, int y, float px, float py, const Hit& hit, float c, float s) {
@@ -25,7 +26,7 @@ struct Miss {
     const bool line = nearest.kind == Nearest::kLine;
     nx = line ? nearest.nx / 127.f : c * hit.nx - s * hit.ny, ny = line ? nearest.ny / 127.f : s * hit.nx + c * hit.ny;
     float slack = line ? std::max(kAlongWall, hit.slack) : hit.slack;
-    if (nx == 0.f && ny == 0.f) nx = 1.f, slack = 0.f;
+    if (nx == 0.f && ny == 0.f) nx = 1.f, slack = 0.f, wall = false;
     across = nx * dx + ny * dy, along = nx * dy - ny * dx;
     along = std::copysign(std::max(0.f, std::abs(along) - slack), along);
   }
@@ -76,6 +77,15 @@ double ScanMatcher::priorCost(const Vector& v) const {
   return 0.5 * d.dot(prior_information_ * d);
 }
 
+/// Beyond the end of what is known of a wall, the wall goes on where nobody has looked yet: no reason to pull the
+/// scan back.
+template <class... Where>
+auto ScanMatcher::missAt(const Nearest& nearest, int x, int y, const Where&... where) const {
+  Miss miss(nearest, x, y, where...);
+  if (miss.along != 0.f && miss.wall && !window_.seen(x, y)) miss.along = 0.f;
+  return miss;
+}
+
 /// Geman and McClure's: 1/2 r^2 / (1 + r^2 / outlier^2), r and outlier in cells; so without `scale_`.
 double ScanMatcher::cost(const Vector& v, float outlier) {
   const auto c = static_cast<float>(std::cos(v.z())), s = static_cast<float>(std::sin(v.z()));
@@ -87,7 +97,7 @@ double ScanMatcher::cost(const Vector& v, float outlier) {
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (nearest && nearest->kind != Nearest::kNone) {
-      const float r2 = Miss(*nearest, x, y, px, py, hits_[i], c, s).squared();
+      const float r2 = missAt(*nearest, x, y, px, py, hits_[i], c, s).squared();
       sum += limit * r2 / (limit + r2);
     } else {
       sum += nearest && window_.seen(x, y) ? limit : static_cast<float>(kUnseen) * limit;
@@ -107,7 +117,7 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (!nearest || nearest->kind == Nearest::kNone) continue;
-    const Miss miss(*nearest, x, y, px, py, hits_[i], c, s);
+    const Miss miss = missAt(*nearest, x, y, px, py, hits_[i], c, s);
     const float share = limit / (limit + miss.squared()), weight = share * share;
     const auto add = [&](float r, float jx, float jy) {
       const float jt = jy * vx - jx * vy;

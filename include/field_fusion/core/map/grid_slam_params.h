@@ -6,8 +6,8 @@ namespace field_fusion::core {
 
 struct GridSlamParams {
   int particles = 30;
-  double linear_update = 1.0;
-  double angular_update = 28.6;
+  double linear_update = 0.25;
+  double angular_update = 15.0;
   double temporal_update = -1.0;
   double resolution = 0.05;
   double min_range = 0.0;

@@ -67,6 +67,8 @@ class ScanMatcher {
   Pose2 inMap(const Vector& v) const;
   void setPrior(const PosePrior& prior);
   double priorCost(const Vector& v) const;
+  template <class... Where>
+  auto missAt(const Nearest& nearest, int x, int y, const Where&... where) const;
   double cost(const Vector& v, float outlier);
   Normal normal(const Vector& v, float outlier);
   Vector search(const PosePrior& prior);
