@@ -100,7 +100,7 @@ void GridSlam::move(Particle& p, std::size_t index, const SlamScan& scan, ScanMa
     p.pose = drawn(prior.mean, prior.covariance, random);
     evidence = matcher.logLikelihood(scan, p.map, p.pose);
   }
-  p.log_weight += evidence, p.log_total += evidence;
+  p.log_weight += evidence / params_.smoothing, p.log_total += evidence / params_.smoothing;
 }
 
 void GridSlam::weigh() {

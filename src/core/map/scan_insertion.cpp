@@ -72,8 +72,8 @@ void ScanInsertion::insert(const SlamScan& scan, const Pose2& T_map_base, double
     return scale * (T_map_base * Eigen::Vector2d(p.cast<double>()));
   };
   const Eigen::Vector2d from = cells(scan.origin);
-  for (const Eigen::Vector2f& end : scan.hits) {
-    const Eigen::Vector2d to = cells(end);
+  for (const ScanHit& hit : scan.hits) {
+    const Eigen::Vector2d to = cells(hit.end);
     const int x1 = static_cast<int>(std::floor(to.x())), y1 = static_cast<int>(std::floor(to.y()));
     traverse(from.x(), from.y(), to.x(), to.y(), [&](int x, int y) {
       if (x != x1 || y != y1) writer.visit(x, y);

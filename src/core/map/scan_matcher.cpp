@@ -10,20 +10,25 @@ namespace field_fusion::core {
 namespace {
 
 constexpr float kAlongWall = 1.f;    // [cells] an end may lie off the nearest cell along its wall
-constexpr double kUnseen = 0.5;      // cost of an end where nobody has looked yet, of the full one
+constexpr double kUnseen = 0.25;     // cost of an end where nobody has looked yet, of the full one
 constexpr double kMargin = 24.0;     // [cells] that a match may move
 
-/// How an end at (px, py) misses what is nearest to it: across and along the wall [cells].
+/// How an end at (px, py), turned by (c, s) from the robot's frame, misses what is nearest to it: across and
+/// along the wall [cells]. The wall's direction is the map's, or else the scan's own.
 struct Miss {
   float across, along, nx, ny;
+  bool wall = true;
 
-  Miss(const Nearest& nearest, int x, int y, float px, float py) {
+  template <class Hit>
+  Miss(const Nearest& nearest, int x, int y, float px, float py, const Hit& hit, float c, float s) {
     const float dx = px - (static_cast<float>(x) + 0.5f) - Nearest::kUnit * nearest.x;
     const float dy = py - (static_cast<float>(y) + 0.5f) - Nearest::kUnit * nearest.y;
     const bool line = nearest.kind == Nearest::kLine;
-    nx = line ? nearest.nx / 127.f : 1.f, ny = line ? nearest.ny / 127.f : 0.f;
+    nx = line ? nearest.nx / 127.f : c * hit.nx - s * hit.ny, ny = line ? nearest.ny / 127.f : s * hit.nx + c * hit.ny;
+    float slack = line ? std::max(kAlongWall, hit.slack) : hit.slack;
+    if (nx == 0.f && ny == 0.f) nx = 1.f, slack = 0.f, wall = false;
     across = nx * dx + ny * dy, along = nx * dy - ny * dx;
-    if (line) along = std::copysign(std::max(0.f, std::abs(along) - kAlongWall), along);
+    along = std::copysign(std::max(0.f, std::abs(along) - slack), along);
   }
   float squared() const { return across * across + along * along; }
 };
@@ -34,15 +39,16 @@ ScanMatcher::ScanMatcher(const MatchSettings& settings) : settings_(settings) {}
 
 void ScanMatcher::open(const SlamScan& scan, TileMap& map, const Pose2& about) {
   const auto scale = static_cast<float>(1.0 / settings_.resolution);
-  xs_.clear(), ys_.clear();
+  hits_.clear();
   double sum = 0.0;
   float farthest = 0.f;
-  for (const Eigen::Vector2f& hit : scan.hits) {
-    xs_.push_back(scale * hit.x()), ys_.push_back(scale * hit.y());
-    const float squared = scale * scale * hit.squaredNorm();
+  for (const ScanHit& hit : scan.hits) {
+    const Eigen::Vector2f end = scale * hit.end;
+    hits_.push_back({end.x(), end.y(), hit.normal.x(), hit.normal.y(), scale * hit.spacing});
+    const float squared = end.squaredNorm();
     sum += squared, farthest = std::max(farthest, squared);
   }
-  const double n = static_cast<double>(std::max<std::size_t>(1, xs_.size()));
+  const double n = static_cast<double>(std::max<std::size_t>(1, hits_.size()));
   reach_ = std::max(1.0, std::sqrt(sum / n));
   const double beams = std::min(1.0, settings_.effective_beams / n);
   const double sigma = settings_.sigma / settings_.resolution;  // [cells]
@@ -71,24 +77,33 @@ double ScanMatcher::priorCost(const Vector& v) const {
   return 0.5 * d.dot(prior_information_ * d);
 }
 
+/// Beyond the end of what is known of a wall, the wall goes on where nobody has looked yet: no reason to pull the
+/// scan back.
+template <class... Where>
+auto ScanMatcher::missAt(const Nearest& nearest, int x, int y, const Where&... where) const {
+  Miss miss(nearest, x, y, where...);
+  if (miss.along != 0.f && miss.wall && !window_.seen(x, y)) miss.along = 0.f;
+  return miss;
+}
+
 /// Geman and McClure's: 1/2 r^2 / (1 + r^2 / outlier^2), r and outlier in cells; so without `scale_`.
 double ScanMatcher::cost(const Vector& v, float outlier) {
   const auto c = static_cast<float>(std::cos(v.z())), s = static_cast<float>(std::sin(v.z()));
   const auto x0 = static_cast<float>(v.x()), y0 = static_cast<float>(v.y());
   const float limit = outlier * outlier;
   float sum = 0.f;
-  for (std::size_t i = 0; i < xs_.size(); ++i) {
-    const float px = c * xs_[i] - s * ys_[i] + x0, py = s * xs_[i] + c * ys_[i] + y0;
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    const float px = c * hits_[i].x - s * hits_[i].y + x0, py = s * hits_[i].x + c * hits_[i].y + y0;
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (nearest && nearest->kind != Nearest::kNone) {
-      const float r2 = Miss(*nearest, x, y, px, py).squared();
+      const float r2 = missAt(*nearest, x, y, px, py, hits_[i], c, s).squared();
       sum += limit * r2 / (limit + r2);
     } else {
       sum += nearest && window_.seen(x, y) ? limit : static_cast<float>(kUnseen) * limit;
     }
   }
-  score_ = static_cast<double>(xs_.size()) - sum / limit;
+  score_ = static_cast<double>(hits_.size()) - sum / limit;
   return 0.5 * sum;
 }
 
@@ -97,12 +112,12 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
   const auto x0 = static_cast<float>(v.x()), y0 = static_cast<float>(v.y());
   const float limit = outlier * outlier;
   float xx = 0, xy = 0, xt = 0, yy = 0, yt = 0, tt = 0, gx = 0, gy = 0, gt = 0;
-  for (std::size_t i = 0; i < xs_.size(); ++i) {
-    const float vx = c * xs_[i] - s * ys_[i], vy = s * xs_[i] + c * ys_[i], px = vx + x0, py = vy + y0;
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    const float vx = c * hits_[i].x - s * hits_[i].y, vy = s * hits_[i].x + c * hits_[i].y, px = vx + x0, py = vy + y0;
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
     const Nearest* nearest = window_.nearest(x, y);
     if (!nearest || nearest->kind == Nearest::kNone) continue;
-    const Miss miss(*nearest, x, y, px, py);
+    const Miss miss = missAt(*nearest, x, y, px, py, hits_[i], c, s);
     const float share = limit / (limit + miss.squared()), weight = share * share;
     const auto add = [&](float r, float jx, float jy) {
       const float jt = jy * vx - jx * vy;
@@ -142,7 +157,7 @@ ScanMatcher::Vector ScanMatcher::search(const PosePrior& prior) {
   constexpr std::size_t kBeams = 90;
   constexpr int kStep = 4;       // [cells]
   constexpr float kLimit = 36.f; // [cells^2]: wide, so that a near miss counts
-  const std::size_t stride = std::max<std::size_t>(1, xs_.size() / kBeams);
+  const std::size_t stride = std::max<std::size_t>(1, hits_.size() / kBeams);
   const double step_yaw = kStep / reach_;
   const auto steps = [](double sigma, double step, int most) {
     return std::clamp(static_cast<int>(std::ceil(2.0 * sigma / step - 0.5)), 0, most);
@@ -154,7 +169,7 @@ ScanMatcher::Vector ScanMatcher::search(const PosePrior& prior) {
   for (int t = -m; t <= m; ++t) {
     const double yaw = prior_mean_.z() + step_yaw * t;
     turnRough(yaw, stride);
-    const double scale = 0.5 * scale_ * static_cast<double>(xs_.size()) / static_cast<double>(rough_.size());
+    const double scale = 0.5 * scale_ * static_cast<double>(hits_.size()) / static_cast<double>(rough_.size());
     for (int j = -n; j <= n; ++j)
       for (int i = -n; i <= n; ++i) {
         const Vector v = prior_mean_ + Vector(kStep * i, kStep * j, step_yaw * t);
@@ -169,8 +184,8 @@ void ScanMatcher::turnRough(double yaw, std::size_t stride) {
   const auto c = static_cast<float>(std::cos(yaw)), s = static_cast<float>(std::sin(yaw));
   const auto x0 = static_cast<float>(prior_mean_.x()), y0 = static_cast<float>(prior_mean_.y());
   rough_.clear();
-  for (std::size_t i = 0; i < xs_.size(); i += stride) {
-    const float px = c * xs_[i] - s * ys_[i] + x0, py = s * xs_[i] + c * ys_[i] + y0;
+  for (std::size_t i = 0; i < hits_.size(); i += stride) {
+    const float px = c * hits_[i].x - s * hits_[i].y + x0, py = s * hits_[i].x + c * hits_[i].y + y0;
     const int x = static_cast<int>(px), y = static_cast<int>(py);
     rough_.push_back({x, y, px - (static_cast<float>(x) + 0.5f), py - (static_cast<float>(y) + 0.5f)});
   }
@@ -190,6 +205,16 @@ ScanMatcher::Vector ScanMatcher::descend(Vector v) {
     }
   }
   return v;
+}
+
+/// The lattice may be misled where a scan says little, along a corridor; so what odometry says is tried too.
+ScanMatcher::Vector ScanMatcher::best(const PosePrior& prior) {
+  const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
+  const auto at = [&](const Vector& v) { return scale_ * cost(v, outlier) + priorCost(v); };
+  const Vector start = search(prior), near = descend(prior_mean_);
+  if (start == prior_mean_) return near;
+  const Vector far = descend(start);
+  return at(far) < at(near) ? far : near;
 }
 
 /// Gauss-Hermite points of the normal that the curvature at the peak gives, each weighed by what is really
@@ -223,13 +248,13 @@ void ScanMatcher::sample(const Vector& peak, Match& out) {
 Pose2 ScanMatcher::peak(const SlamScan& scan, TileMap& map, const PosePrior& prior) {
   open(scan, map, prior.mean);
   setPrior(prior);
-  return inMap(descend(search(prior)));
+  return inMap(best(prior));
 }
 
 Match ScanMatcher::match(const SlamScan& scan, TileMap& map, const PosePrior& prior) {
   open(scan, map, prior.mean);
   setPrior(prior);
-  const Vector peak = descend(search(prior));
+  const Vector peak = best(prior);
   Match out;
   out.peak = inMap(peak);
   sample(peak, out);

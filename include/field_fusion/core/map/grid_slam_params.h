@@ -6,16 +6,17 @@ namespace field_fusion::core {
 
 struct GridSlamParams {
   int particles = 30;
-  double linear_update = 1.0;
-  double angular_update = 28.6;
+  double linear_update = 0.25;
+  double angular_update = 15.0;
   double temporal_update = -1.0;
   double resolution = 0.05;
   double min_range = 0.0;
-  double usable_range = 8.0;
-  double max_range = 30.0;
-  double sigma = 0.05;
+  double usable_range = 40.0;
+  double max_range = 80.0;
+  double sigma = 0.03;
   double outlier = 3.0;
-  double effective_beams = 60.0;
+  double effective_beams = 300.0;
+  double smoothing = 5.0;
   double min_score = 0.0;
   double resample_threshold = 0.5;
   double occupied = 0.25;
@@ -41,7 +42,9 @@ struct GridSlamParams {
     p.number("outlier", outlier, {1.0, 20.0}, "sigma", When::kStart,
              "Ends farther from a wall no longer pull the pose.");
     p.number("effective_beams", effective_beams, {1.0, 10000.0}, "", When::kStart,
-             "A scan weighs as so many independent beams against odometry and other scans.");
+             "A scan with more weighs as so many independent beams against odometry.");
+    p.number("smoothing", smoothing, {1.0, 1000.0}, "", When::kLive,
+             "The logarithm of a scan's likelihood is divided by it when particles are weighed.");
     p.number("min_score", min_score, {0.0, 100000.0}, "beams", When::kLive,
              "Odometry alone is believed where fewer beams fit the map.");
     p.number("resample_threshold", resample_threshold, {0.0, 1.0}, "", When::kLive,

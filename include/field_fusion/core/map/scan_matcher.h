@@ -56,22 +56,31 @@ class ScanMatcher {
     float dx, dy;  // [cells] from its middle
   };
 
+  struct Hit {     // in the robot's frame
+    float x, y;    // [cells]
+    float nx, ny;  // normal of the scan's own wall, or 0
+    float slack;   // [cells] that it may lie off what is nearest, along the wall
+  };
+
   void open(const SlamScan& scan, TileMap& map, const Pose2& about);
   Vector inWindow(const Pose2& pose) const;
   Pose2 inMap(const Vector& v) const;
   void setPrior(const PosePrior& prior);
   double priorCost(const Vector& v) const;
+  template <class... Where>
+  auto missAt(const Nearest& nearest, int x, int y, const Where&... where) const;
   double cost(const Vector& v, float outlier);
   Normal normal(const Vector& v, float outlier);
   Vector search(const PosePrior& prior);
   void turnRough(double yaw, std::size_t stride);
   float roughCost(int dx, int dy, float limit);
   Vector descend(Vector v);
+  Vector best(const PosePrior& prior);
   void sample(const Vector& peak, Match& out);
 
   MatchSettings settings_;
   FieldWindow window_;
-  std::vector<float> xs_, ys_;  // [cells] hits in the robot's frame
+  std::vector<Hit> hits_;
   std::vector<RoughPoint> rough_;
   double scale_ = 1.0;          // of a beam's cost
   double reach_ = 1.0;          // [cells] root mean square distance of the hits

@@ -8,9 +8,15 @@
 
 namespace field_fusion::core {
 
+struct ScanHit {
+  Eigen::Vector2f end;                               ///< [m]
+  Eigen::Vector2f normal = Eigen::Vector2f::Zero();  ///< of the wall that it and its neighbours lie on; 0: none
+  float spacing = 0.f;                               ///< [m] to the farther neighbour on that wall
+};
+
 struct SlamScan {
   Eigen::Vector2f origin = Eigen::Vector2f::Zero();  ///< [m] of the beams: the sensor's place
-  std::vector<Eigen::Vector2f> hits;                 ///< [m] ends on something
+  std::vector<ScanHit> hits;                         ///< beams that ended on something
   std::vector<Eigen::Vector2f> free;                 ///< [m] ends of what is known to be free, nothing was hit
 };
 
