@@ -9,12 +9,13 @@
 namespace field_fusion::core {
 namespace {
 
-constexpr float kAlongWall = 1.f;    // [cells] an end may lie off the nearest cell along its wall
+constexpr float kAlongWall = 1.75f;  // [cells] off the nearest cell along its wall that say nothing: walls are ragged
 constexpr double kUnseen = 0.25;     // cost of an end where nobody has looked yet, of the full one
 constexpr double kMargin = 24.0;     // [cells] that a match may move
 
 /// How an end at (px, py), turned by (c, s) from the robot's frame, misses what is nearest to it: across and
-/// along the wall [cells]. The wall's direction is the map's, or else the scan's own.
+/// along the wall [cells]. The wall's direction is the map's, or else the scan's own. Within a wall nothing is known
+/// along it: maps have holes there, and what is nearest is chance.
 struct Miss {
   float across, along, nx, ny;
   bool wall = true;
@@ -24,11 +25,15 @@ struct Miss {
     const float dx = px - (static_cast<float>(x) + 0.5f) - Nearest::kUnit * nearest.x;
     const float dy = py - (static_cast<float>(y) + 0.5f) - Nearest::kUnit * nearest.y;
     const bool line = nearest.kind == Nearest::kLine;
-    nx = line ? nearest.nx / 127.f : c * hit.nx - s * hit.ny, ny = line ? nearest.ny / 127.f : s * hit.nx + c * hit.ny;
-    float slack = line ? std::max(kAlongWall, hit.slack) : hit.slack;
-    if (nx == 0.f && ny == 0.f) nx = 1.f, slack = 0.f, wall = false;
+    const float own_x = c * hit.nx - s * hit.ny, own_y = s * hit.nx + c * hit.ny;
+    const bool own = hit.nx != 0.f || hit.ny != 0.f;
+    nx = line ? nearest.nx / 127.f : own_x, ny = line ? nearest.ny / 127.f : own_y;
+    const bool inside = own && std::abs(nx * own_x + ny * own_y) > 0.9f;  // of a wall, for map and scan alike
+    wall = line || own;
+    if (!wall) nx = 1.f;
     across = nx * dx + ny * dy, along = nx * dy - ny * dx;
-    along = std::copysign(std::max(0.f, std::abs(along) - slack), along);
+    const float slack = wall ? kAlongWall : 0.f;
+    along = inside ? 0.f : std::copysign(std::max(0.f, std::abs(along) - slack), along);
   }
   float squared() const { return across * across + along * along; }
 };
@@ -44,7 +49,7 @@ void ScanMatcher::open(const SlamScan& scan, TileMap& map, const Pose2& about) {
   float farthest = 0.f;
   for (const ScanHit& hit : scan.hits) {
     const Eigen::Vector2f end = scale * hit.end;
-    hits_.push_back({end.x(), end.y(), hit.normal.x(), hit.normal.y(), scale * hit.spacing});
+    hits_.push_back({end.x(), end.y(), hit.normal.x(), hit.normal.y()});
     const float squared = end.squaredNorm();
     sum += squared, farthest = std::max(farthest, squared);
   }

@@ -17,7 +17,6 @@ void addWall(const Eigen::Vector2f& before, ScanHit& hit, const Eigen::Vector2f&
   const Eigen::Vector2f normal = Eigen::Vector2f(-along.y(), along.x()) / length;
   if (std::abs(normal.dot(hit.end - before)) > kOff || std::abs(normal.dot(beam)) < kFlat * beam.norm()) return;
   hit.normal = normal;
-  hit.spacing = std::max((hit.end - before).norm(), (after - hit.end).norm());
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace field_fusion::core {
 
 /// Calls visit(x, y) for every cell that the straight way from (x0, y0) to (x1, y1) [cells] enters, in order,
-/// the first and the last too. Cell (i, j) is [i, i + 1) x [j, j + 1). At a corner both neighbours are left
-/// out or one is visited: what is visited is always connected by sides.
+/// the first and the last too. Cell (i, j) is [i, i + 1) x [j, j + 1). What is visited is connected by sides:
+/// through a corner the way takes one of the two neighbours.
 template <class Visit>
 void traverse(double x0, double y0, double x1, double y1, const Visit& visit) {
   int x = static_cast<int>(std::floor(x0)), y = static_cast<int>(std::floor(y0));

@@ -59,7 +59,6 @@ class ScanMatcher {
   struct Hit {     // in the robot's frame
     float x, y;    // [cells]
     float nx, ny;  // normal of the scan's own wall, or 0
-    float slack;   // [cells] that it may lie off what is nearest, along the wall
   };
 
   void open(const SlamScan& scan, TileMap& map, const Pose2& about);

@@ -11,7 +11,6 @@ namespace field_fusion::core {
 struct ScanHit {
   Eigen::Vector2f end;                               ///< [m]
   Eigen::Vector2f normal = Eigen::Vector2f::Zero();  ///< of the wall that it and its neighbours lie on; 0: none
-  float spacing = 0.f;                               ///< [m] to the farther neighbour on that wall
 };
 
 struct SlamScan {

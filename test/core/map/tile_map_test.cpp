@@ -1,0 +1,145 @@
+#include "field_fusion/core/map/tile_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+
+#include "field_fusion/core/map/scan_insertion.h"
+
+namespace field_fusion::core {
+namespace {
+
+TEST(Cell, IsHitsByVisitsAndKeepsTheMeanOfItsHits) {
+  Cell cell;
+  EXPECT_TRUE(std::isnan(cell.probability()));
+  cell.hit(0.2f, -0.4f), cell.visit(), cell.hit(0.4f, 0.2f), cell.visit();
+  EXPECT_FLOAT_EQ(cell.probability(), 0.5f);
+  EXPECT_NEAR(cell.x / (2.f * Cell::kHalf), 0.3f, 1e-4f);
+  EXPECT_NEAR(cell.y / (2.f * Cell::kHalf), -0.1f, 1e-4f);
+}
+
+TEST(Cell, KeepsItsProbabilityWhenItsCountsAreFull) {
+  Cell cell;
+  for (int i = 0; i < 300000; ++i) i % 4 == 0 ? cell.hit(0.5f, -0.5f) : cell.visit();
+  EXPECT_NEAR(cell.probability(), 0.25f, 1e-3f);
+  EXPECT_EQ(cell.x, 32767);
+  EXPECT_EQ(cell.y, -32767);
+}
+
+/// What a copy of every cell would hold.
+using Plain = std::map<std::pair<int, int>, int>;
+
+void expectEqual(const TileMap& map, const Plain& plain) {
+  std::size_t known = 0;
+  map.forEach([&](TilePlace, const Tile& tile, const NearestField*) {
+    for (const Cell& cell : tile.cells) known += cell.visits > 0;
+  });
+  EXPECT_EQ(known, plain.size());
+  for (const auto& [at, visits] : plain) {
+    const Cell* cell = map.cell(at.first, at.second);
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->visits, visits);
+  }
+}
+
+TEST(TileMap, CopiesBehaveAsDeepCopies) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> place(-700, 700), pick(0, 4);
+  std::vector<TileMap> maps(5);
+  std::vector<Plain> plains(5);
+  for (int step = 0; step < 4000; ++step) {
+    const auto i = static_cast<std::size_t>(pick(random)), j = static_cast<std::size_t>(pick(random));
+    if (step % 50 == 0) {
+      maps[i] = maps[j], plains[i] = plains[j];
+      continue;
+    }
+    const int x = place(random), y = place(random);
+    maps[i].writable({x >> kTileBits, y >> kTileBits}).at(x, y).visit();
+    ++plains[i][{x, y}];
+  }
+  for (std::size_t i = 0; i < maps.size(); ++i) expectEqual(maps[i], plains[i]);
+}
+
+TEST(TileMap, SharesWhatACopyDoesNotChange) {
+  TileMap a;
+  a.writable({0, 0}), a.writable({1, 0});
+  TileMap b = a;
+  EXPECT_EQ(a.tile({0, 0}), b.tile({0, 0}));
+  const Tile* before = a.tile({1, 0});
+  b.writable({1, 0});
+  EXPECT_EQ(a.tile({1, 0}), before);
+  EXPECT_NE(b.tile({1, 0}), before);
+  EXPECT_EQ(a.tile({0, 0}), b.tile({0, 0}));
+  b = TileMap();
+  EXPECT_EQ(&a.writable({1, 0}), before) << "alone again, a map writes in place";
+}
+
+TEST(TileMap, GrowsPastAKilometreWithoutMovingTiles) {
+  TileMap map;
+  const Tile* first = &map.writable({0, 0});
+  map.writable({700, -650}), map.writable({-700, 20});  // 1.1 km at 0.05 m
+  EXPECT_EQ(map.tile({0, 0}), first);
+  EXPECT_TRUE(map.tile({700, -650}));
+  EXPECT_FALSE(map.tile({5000, 5000}));
+  EXPECT_THROW(map.writable({1 << 20, 0}), std::out_of_range);
+}
+
+TileMap randomWalls(std::mt19937& random, int count) {
+  std::uniform_int_distribution<int> place(-80, 80);
+  TileMap map;
+  for (int i = 0; i < count; ++i) {
+    const int x = place(random), y = place(random);
+    Tile& tile = map.writable({x >> kTileBits, y >> kTileBits});
+    tile.at(x, y) = Cell{};
+    tile.at(x, y).hit(0.25f, -0.25f);
+    tile.occupied[y & (kTileSide - 1)] |= 1u << (x & (kTileSide - 1));
+  }
+  return map;
+}
+
+/// [cells^2] from the middle of (x, y) to the middle of the nearest wall; -1 beyond reach.
+int bruteDistance(const TileMap& map, int x, int y) {
+  int least = std::numeric_limits<int>::max();
+  for (int v = -NearestField::kReach; v <= NearestField::kReach; ++v)
+    for (int u = -NearestField::kReach; u <= NearestField::kReach; ++u)
+      if (const Cell* cell = map.cell(x + u, y + v); cell && cell->hits > 0) least = std::min(least, u * u + v * v);
+  return least <= NearestField::kReach * NearestField::kReach ? least : -1;
+}
+
+TEST(NearestField, FindsWhatASearchOfAllCellsFinds) {
+  std::mt19937 random(2);
+  for (const int count : {0, 1, 40, 2000}) {
+    TileMap map = randomWalls(random, count);
+    for (int y = -100; y < 100; ++y)
+      for (int x = -100; x < 100; ++x) {
+        const Nearest& found = map.field({x >> kTileBits, y >> kTileBits}).at(x, y);
+        const int expected = bruteDistance(map, x, y);
+        ASSERT_EQ(found.kind != Nearest::kNone, expected >= 0) << x << " " << y;
+        if (expected < 0) continue;
+        // hits lie at (0.25, -0.25) from the middle of their cells
+        const float u = found.x * Nearest::kUnit - 0.25f, v = found.y * Nearest::kUnit + 0.25f;
+        ASSERT_NEAR(u * u + v * v, static_cast<float>(expected), 0.02f) << x << " " << y;
+      }
+  }
+}
+
+TEST(NearestField, KnowsTheNormalOfAStraightWall) {
+  for (const double angle : {0.0, 30.0, 45.0, 90.0, 120.0, 170.0}) {
+    const double c = std::cos(radians(angle)), s = std::sin(radians(angle));
+    SlamScan scan;
+    scan.origin = Eigen::Vector2f(-2.f * s, 2.f * c);
+    for (double t = -1.0; t <= 1.0; t += 0.01) scan.hits.push_back({Eigen::Vector2f(t * c, t * s)});
+    TileMap map;
+    ScanInsertion().insert(scan, {}, 0.05, 1, map);
+    const Nearest& found = map.field({0, 0}).at(0, 0);
+    ASSERT_EQ(found.kind, Nearest::kLine) << angle;
+    EXPECT_NEAR(std::abs(-s * found.nx + c * found.ny) / 127.0, 1.0, 0.01) << angle;
+  }
+}
+
+}  // namespace
+}  // namespace field_fusion::core
