@@ -24,6 +24,7 @@ from data import random_world
 CLASSES = pathlib.Path(__file__).with_name("classes.yaml")
 SETS = ("train", "val", "held_out")
 WORLDS_OF_A_SEED = 1_000_000
+LAST_EXPOSURE = 0.1  # s in which the last picture's message comes
 
 
 def program(name):
@@ -46,7 +47,7 @@ def make_world(out, name, split, seed, frames, programs):
     with tempfile.TemporaryDirectory(dir=out) as folder:
         world, bag = pathlib.Path(folder) / f"{name}.yaml", pathlib.Path(folder) / f"{name}.bag"
         random_world.write(world, split, seed)
-        seconds = random_world.PAUSE * (frames - 1) + 0.01
+        seconds = random_world.PAUSE * (frames - 1) + LAST_EXPOSURE
         run(programs["make_bag"], world, bag, "--mounts", "camera", "--seconds", seconds, "--seed", seed % 2**31)
         run(programs["bag_to_images"], bag, folder, "--labels", "/truth/camera/detections", "--classes", CLASSES,
             "--set", split)

@@ -29,7 +29,7 @@ def _board(index, draw):
             "parts": [{"shape": "checkerboard", "params": {"width": WIDE, "height": HIGH},
                        "at": [*foot, math.degrees(roll), math.degrees(pitch), 0]}],
             "motion": {"points": [{**afar, "pause": index * REST + 0.05}, {"at": place, "yaw_deg": yaw, "pause": REST - 0.1}, afar],
-                       "speed": 1e4, "acceleration": 1e7, "turn_rate_deg": 1e6}}
+                       "speed": 1e3, "acceleration": 1e6, "turn_rate_deg": 1e6}}
 
 
 def world(name, seed, poses):

@@ -48,16 +48,16 @@ class Body(typing.NamedTuple):
 
 
 def frames(bag_file, images, shift=0):
-    """Frames in their order. Pictures have an image where `images` are asked for. All stamps are `shift` whole seconds
-    later than in the bag."""
+    """Frames in their order, each when the first picture not before its cloud is in: it may be the nearest, and stages wait
+    for it. Pictures have an image where `images` are asked for. All stamps are `shift` whole seconds later than in the bag."""
     with rosbag.Bag(str(bag_file)) as bag:
         there = bag.get_type_and_topic_info().topics.keys()
         wanted = {topic for topic in PARTS if topic in there and (images or topic != IMAGE)}
         reader = _Reader(shift, wanted)
         for topic, message, _ in bag.read_messages(topics=[*SENSED, *sorted(wanted)]):
-            frame = reader.take(topic, message)
-            if frame:
-                yield frame
+            reader.take(topic, message)
+            yield from reader.complete()
+        yield from reader.rest()
 
 
 def static_transforms(bag_file):
@@ -70,13 +70,21 @@ class _Reader:
         self.shift, self.wanted, self.mount = genpy.Duration(shift), wanted, None
         self.poses, self.points, self.fresh, self.parts = [], {}, [], {}
         self.bodies, self.pictures = collections.deque(maxlen=KEPT), collections.deque(maxlen=KEPT)
+        self.clouds = collections.deque()  # without a frame
+
+    def complete(self):
+        while self.clouds and (not self.wanted or (self.pictures and self.pictures[-1].stamp >= self.clouds[0].header.stamp)):
+            yield self._frame(self.clouds.popleft())
+
+    def rest(self):
+        while self.clouds:
+            yield self._frame(self.clouds.popleft())
 
     def take(self, topic, message):
-        """The frame that this message completes, else None."""
         if topic.endswith("tf_static"):  # the true one comes last
             self.mount = next(poses.matrix(t.transform.translation, t.transform.rotation)
                               for t in message.transforms if t.child_frame_id == "lidar")
-            return None
+            return
         message.header.stamp += self.shift
         if topic == "/truth/pose":
             self.poses.append((message.header.stamp.to_sec(), message.pose.pose))
@@ -85,12 +93,11 @@ class _Reader:
         elif topic == "/truth/lidar/points":
             self.points[message.header.stamp] = numpy.frombuffer(message.data, POINT)
         elif topic == "/lidar/points":
-            return self._frame(message)
+            self.clouds.append(message)
         else:
             self.parts[topic] = message
             if self.wanted <= self.parts.keys():
                 self._picture(message.header.stamp)
-        return None
 
     def _picture(self, stamp):
         picture = Picture(stamp, *map(self.parts.get, PARTS))
