@@ -62,7 +62,7 @@ def test_the_launch_file_tells_the_same_as_the_table(bag, tmp_path):
 
 BAD = {
     ("--board", "8x6"): "board 8x6 is not COLUMNSxROWSxSQUARE",
-    ("--board", "7x5x0.1", "--image", "/camera/image_raw", "--lidar", "/lidar/points"): "no picture shows the whole board 7x5x0.1",
+    ("--board", "9x7x0.1", "--image", "/camera/image_raw", "--lidar", "/lidar/points"): "no picture shows the whole board 9x7x0.1",
     (*TOPICS,): "--lidar is needed; there are",
     (*TOPICS, "--lidar", "/camera/image_raw"): "--lidar /camera/image_raw is no topic of that type",
     (*TOPICS, "--lidar", "/lidar/points", "--rest", "50"): "the board rests nowhere",
