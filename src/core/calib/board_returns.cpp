@@ -108,7 +108,7 @@ Indices returnsNear(const Cloud& cloud, const Board& board, const Transform& T_l
 
 Indices returnsOn(const Cloud& cloud, const Board& board, const Transform& T_lidar_board, const ReturnSearch& search) {
   const Indices out = inBox(cloud, T_lidar_board, {board.width() / 2 - search.border, board.height() / 2 - search.border,
-                                                   search.thickness});
+                                                   search.depth});
   return out.size() < kFewest ? Indices() : out;
 }
 

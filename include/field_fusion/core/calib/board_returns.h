@@ -10,6 +10,9 @@ namespace field_fusion::core {
 struct ReturnSearch {
   double reach = 0.15;      ///< [m] by which the board may lie elsewhere than guessed, along and across
   double thickness = 0.03;  ///< [m] within which of a plane (2-D: a line) the board's returns lie
+  /// [m] before and behind the board within which returns are its own, once it is known: so wide that it cuts off nothing
+  /// of noise and bias, for a cut on one side moves the mean
+  double depth = 0.1;
   double border = 0.02;     ///< [m] inside of the outline where spots may be half beside the board; once it is known
 };
 
@@ -19,7 +22,7 @@ struct ReturnSearch {
 std::vector<std::uint32_t> returnsNear(const Cloud& cloud, const Board& board, const Transform& T_lidar_board,
                                        const ReturnSearch& search);
 
-/// The same once it is well known where the board is: within the outline less `border`, and within `thickness`.
+/// The same once it is well known where the board is: within the outline less `border`, and within `depth`.
 std::vector<std::uint32_t> returnsOn(const Cloud& cloud, const Board& board, const Transform& T_lidar_board,
                                      const ReturnSearch& search);
 
