@@ -5,6 +5,8 @@ import time
 
 import rospy
 
+from ros_session import SessionError
+
 LISTENING = 0.5  # s of wall time: nobody says when he has heard of a new transform
 
 
@@ -43,6 +45,13 @@ class LockStep:
             if not self.changed.wait_for(lambda: all(stamp in self.answers[topic] for topic, stamp in stamps.items()), seconds):
                 return None
             return {topic: self.answers[topic].pop(stamp) for topic, stamp in stamps.items()}
+
+    def require(self, messages, stamps, seconds):
+        """The same; raises SessionError where that is None."""
+        answer = self.answer(messages, stamps, seconds)
+        if answer is None:
+            raise SessionError(f"no answer on {', '.join(stamps)} within {seconds:.0f} s")
+        return answer
 
     def close(self):
         for port in (*self.publishers.values(), self.static, *self.subscribers):

@@ -42,6 +42,11 @@ class RealTime(LockStep):
         super()._keep(message, topic)
 
 
+def sent(left, topic):
+    """[(stamp, s)] of a topic in what `RealTime.left` holds, in the order of the stamps."""
+    return sorted((stamp, at) for (of, stamp), at in left.items() if of == topic)
+
+
 def percentile(values, share):
     """The least of them that a `share` of them does not exceed; NaN of none."""
     ordered = sorted(values)

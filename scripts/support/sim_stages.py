@@ -8,7 +8,6 @@ import sim_bag
 import stage_run
 import stand_in
 from lock_step import LockStep
-from ros_session import SessionError
 
 BETWEEN = 100  # s between the bags, so that stamps rise: nothing is remembered from one to the next
 INPUTS = {"/detections": ImageDetectionArray, "/camera/camera_info": CameraInfo, "/camera/image_raw": Image,
@@ -83,10 +82,7 @@ class Stages:
         return self._wait(messages, {"/detections": picture.stamp})["/detections"]
 
     def _wait(self, messages, stamps):
-        answer = self.steps.answer(messages, stamps, stage_run.PATIENCE)
-        if answer is None:
-            raise SessionError(f"no answer on {', '.join(stamps)} within {stage_run.PATIENCE:.0f} s")
-        return answer
+        return self.steps.require(messages, stamps, stage_run.PATIENCE)
 
     def close(self):
         if self.steps:

@@ -26,6 +26,23 @@ def shipped(name):
     return yaml.safe_load((stage_run.package() / f"config/worlds/{name}.yaml").read_text())
 
 
+def at_anchor(world, name, bodies):
+    """The robot of `world` at its origin, at rest among other bodies."""
+    robot = {key: value for key, value in world["robot"].items() if key != "motion"}
+    return {**world, "name": name, "bodies": bodies, "robot": {**robot, "pose": [0, 0, 0]}}
+
+
+def with_mounts(world, changes):
+    """`changes`: {name of the mount: {key: value}}."""
+    mounts = [{**mount, **changes.get(mount["name"], {})} for mount in world["robot"]["mounts"]]
+    return {**world, "robot": {**world["robot"], "mounts": mounts}}
+
+
+def place_of(world, mount):
+    """[m] Where it sits, in the robot's frame."""
+    return next(m["pose"] for m in world["robot"]["mounts"] if m["name"] == mount)[:3]
+
+
 def degraded(world, factors):
     """The world with the errors of its sensors multiplied, {name of the mount: factor}."""
     world = copy.deepcopy(world)

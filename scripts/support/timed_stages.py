@@ -60,10 +60,7 @@ class TimedStages:
         return words
 
     def _answer(self, messages, stamps):
-        answer = self.steps.answer(messages, stamps, stage_run.PATIENCE)
-        if answer is None:
-            raise SessionError(f"no answer on {', '.join(stamps)} within {stage_run.PATIENCE:.0f} s")
-        return answer
+        return self.steps.require(messages, stamps, stage_run.PATIENCE)
 
     def in_real_time(self, events):
         """The RealTime that has played them."""

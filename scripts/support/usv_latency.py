@@ -13,7 +13,7 @@ import figures
 import sim_bag
 import sim_world
 from arrivals import CLOUDS, DETECTIONS, IMAGES
-from real_time import percentile, percentile_line
+from real_time import percentile, percentile_line, sent
 from ros_session import SessionError
 from timed_stages import OBSTACLES, TimedStages
 
@@ -47,10 +47,8 @@ COLUMNS = ("backend", "case", "seed", "clouds", "with_picture", "latency_p50_ms"
 
 def world():
     """usv_harbour with a camera that is triggered three times in a turn."""
-    harbour = sim_world.shipped("usv_harbour")
     changes = {"lidar": {"clock_error": 0.0}, "camera": {"clock_error": 0.0, "rate": RATE}}
-    mounts = [{**mount, **changes.get(mount["name"], {})} for mount in harbour["robot"]["mounts"]]
-    return {**harbour, "name": "harbour_latency", "robot": {**harbour["robot"], "mounts": mounts}}
+    return {**sim_world.with_mounts(sim_world.shipped("usv_harbour"), changes), "name": "harbour_latency"}
 
 
 def alone(left, came):
@@ -73,7 +71,7 @@ def fused(left, came, interval):
 
 
 def _clouds(left):
-    return sorted((stamp, at) for (topic, stamp), at in left.items() if topic == CLOUDS)[SETTLED:]
+    return sent(left, CLOUDS)[SETTLED:]
 
 
 def run(experiment):

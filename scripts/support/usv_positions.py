@@ -72,11 +72,9 @@ def far_world(place, seed):
     world = sim_world.shipped("usv_harbour")
     away = NEAREST + (place + 0.5) / FAR * (FARTHEST - NEAREST) + CAGE["params"]["diameter"] / 2
     aside = math.radians(ASIDE * (2.0 * math.fmod(place * 0.6180339887, 1.0) - 1.0))
-    lidar = next(mount["pose"] for mount in world["robot"]["mounts"] if mount["name"] == "lidar")
-    robot = {**world["robot"], "pose": [0, 0, 0]}
-    del robot["motion"]
+    lidar = sim_world.place_of(world, "lidar")
     cage = {**CAGE, "pose": [lidar[0] + away * math.cos(aside), lidar[1] + away * math.sin(aside), 0, drawn_yaw(place, seed)]}
-    return {**world, "name": f"far_{place:02}", "bodies": [cage], "robot": robot}
+    return sim_world.at_anchor(world, f"far_{place:02}", [cage])
 
 
 def drawn_yaw(place, seed):

@@ -57,19 +57,13 @@ def world(seed):
     count = EACH * len(BINS)
     bearings = [ASIDE * (2 * (i + 0.5) / count - 1) for i in range(count)]
     draw.shuffle(bearings)
-    robot = {**harbour["robot"], "pose": [0, 0, 0]}
-    del robot["motion"]
-    x = float(place_of(robot, "lidar")[0])
+    x = float(sim_world.place_of(harbour, "lidar")[0])
     bodies = []
     for i, bearing in enumerate(bearings):
         away = draw.uniform(*BINS[i // EACH]) + SIZE["diameter"] / 2
         bodies.append({"name": f"buoy_{i}", "label": "buoy", "shape": "buoy", "params": SIZE, "material": BLACK, "floats": True,
                        "pose": [x + away * math.cos(bearing), away * math.sin(bearing), draw.uniform(-180, 180)]})
-    return {**harbour, "name": "small", "bodies": bodies, "robot": robot}
-
-
-def place_of(robot, mount):
-    return numpy.array(next(m["pose"] for m in robot["mounts"] if m["name"] == mount)[:3], float)
+    return sim_world.at_anchor(harbour, "small", bodies)
 
 
 def radial_sigma(obstacle):
@@ -112,7 +106,7 @@ def run(experiment, methods):
     out = []
     for seed in experiment.seeds:
         there = world(seed)
-        camera = place_of(there["robot"], "camera") - place_of(there["robot"], "lidar")
+        camera = numpy.subtract(sim_world.place_of(there, "camera"), sim_world.place_of(there, "lidar"))
         bag = experiment.bag(there, QUICK_SECONDS if experiment.quick else SECONDS, seed, "--labels", "--mounts", "lidar", "camera")
         for answer in stages.play(bag):
             out += samples(answer, seed, camera)

@@ -18,7 +18,7 @@ import figures
 import sim_bag
 import sim_world
 from arrivals import Camera
-from real_time import percentile, percentile_line
+from real_time import percentile, percentile_line, sent
 from stage_run import PATIENCE
 from timed_stages import CLOUDS, OBSTACLES, TimedStages
 
@@ -65,17 +65,12 @@ COLUMNS = ("clock", "case", "seed", "clouds", "matched", "position_error_m", "wh
 
 def world(clock, seed):
     """The vessel and waves of usv_harbour, and one boat; it comes from the left and from the right in turn."""
-    harbour = sim_world.shipped("usv_harbour")
-    robot = {**harbour["robot"], "pose": [0, 0, 0]}
-    del robot["motion"]
-    mounts = {mount["name"]: dict(mount) for mount in robot["mounts"]}
-    mounts["camera"]["rate"] = RATES[clock]
-    if clock == "trigger":
-        mounts["lidar"]["clock_error"] = mounts["camera"]["clock_error"] = 0.0
+    exact = {"clock_error": 0.0} if clock == "trigger" else {}
+    changes = {"lidar": exact, "camera": {"rate": RATES[clock], **exact}}
     side = 1 if seed % 2 else -1
     boat = {"name": "crosser", "label": "boat", "shape": "boat", "floats": True,
             "motion": {"points": [[12, side * 14], [12, -side * 25]], "speed": crossing.SPEED, "acceleration": 3.0}}
-    return {**harbour, "name": f"crossing_{clock}", "bodies": [boat], "robot": {**robot, "mounts": list(mounts.values())}}
+    return sim_world.at_anchor(sim_world.with_mounts(sim_world.shipped("usv_harbour"), changes), f"crossing_{clock}", [boat])
 
 
 def histogram(text):
@@ -117,9 +112,8 @@ def scored(case, seed, moments, obstacles):
 
 def latencies(left, came, settled):
     """[s] Of the clouds after the first `settled` ones, from the cloud to the last word on it; of none that got no answer."""
-    sent = sorted((stamp, at) for (topic, stamp), at in left.items() if topic == CLOUDS)[settled:]
     words = [(at, [came[OBSTACLES, stamp, revision] for revision in (0, 1) if (OBSTACLES, stamp, revision) in came])
-             for stamp, at in sent]
+             for stamp, at in sent(left, CLOUDS)[settled:]]
     return [max(answers) - at for at, answers in words if answers]
 
 

@@ -46,12 +46,7 @@ CloudFlow::Output CloudFlow::run(const CloudMessage::ConstPtr& message, const Tf
 }
 
 void CloudFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  constexpr double kShown = 5.0;  // [s] of wall time
-  using diagnostic_msgs::DiagnosticStatus;
-  if (raw_.age() < kShown)
-    status.mergeSummary(DiagnosticStatus::WARN, "clouds are passed on raw, " + raw_.last());
-  status.add("clouds passed on raw", raw_.total());
-  for (const auto& [why, count] : raw_.byKind()) status.add("clouds passed on raw, " + why, count);
+  describeRaw(raw_, "clouds", status);
   status.add("last cloud: duration [ms]", 1e3 * (sweep_.sweep.end - sweep_.sweep.begin));
   status.add("last cloud: points without time", sweep_.untimed);
 }

@@ -1,18 +1,15 @@
 #include "field_fusion/ros/match_record.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "field_fusion/core/base/median.h"
 
 namespace field_fusion {
 namespace {
 
 constexpr std::size_t kLast = 64, kEnough = 10;
 
-double medianOf(const std::deque<double>& values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  return sorted[sorted.size() / 2];
-}
+double medianOf(const std::deque<double>& values) { return core::median({values.begin(), values.end()}); }
 
 }  // namespace
 

@@ -71,4 +71,12 @@ std::string MotionSource::follow(const std_msgs::Header& header, const core::Swe
   return "";
 }
 
+void describeRaw(const FaultLog& raw, const std::string& what, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  constexpr double kShown = 5.0;  // [s] of wall time
+  if (raw.age() < kShown)
+    status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, what + " are passed on raw, " + raw.last());
+  status.add(what + " passed on raw", raw.total());
+  for (const auto& [why, count] : raw.byKind()) status.add(what + " passed on raw, " + why, count);
+}
+
 }  // namespace field_fusion

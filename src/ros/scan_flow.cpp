@@ -66,16 +66,13 @@ ScanFlow::Output ScanFlow::run(const sensor_msgs::LaserScan::ConstPtr& message, 
 }
 
 void ScanFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  constexpr double kShown = 5.0;  // [s] of wall time
+  describeRaw(raw_, "scans", status);
   using diagnostic_msgs::DiagnosticStatus;
   const auto warn = [&](const std::string& text) { status.mergeSummary(DiagnosticStatus::WARN, text); };
-  if (raw_.age() < kShown) warn("scans are passed on raw, " + raw_.last());
   using Basis = core::SweepTiming::Basis;
   if (timing_.basis == Basis::kInstant || timing_.basis == Basis::kSpacing)
     warn(core::describe(timing_.basis));
   if (timing_.scan_time_is_wrong) warn("scan_time is wrong: the time between scans is taken instead");
-  status.add("scans passed on raw", raw_.total());
-  for (const auto& [why, count] : raw_.byKind()) status.add("scans passed on raw, " + why, count);
   status.add("beam times by", core::describe(timing_.basis));
   status.add("last scan: duration [ms]", 1e3 * (sweep_.end - sweep_.begin));
   status.add("last scan: returns", counts_.returns);

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "field_fusion/core/calib/board.h"
+#include "field_fusion/core/cloud/deskew.h"
 #include "field_fusion/ros/cloud_message.h"
 
 namespace field_fusion {
@@ -96,11 +97,8 @@ class CalibrationBag {
     if (!message.fault.empty()) throw std::runtime_error(file_ + ": " + message.fault);
     constexpr double kTurn = 0.1;  // [s] of a cloud that tells no times
     LaserFrame out{message.header.frame_id, message.header.stamp.toSec(), 0.0, message.points};
-    double last = 0.0;
-    bool timed = false;
-    for (const core::Point& p : message.points)
-      if (std::isfinite(p.time)) last = std::max(last, static_cast<double>(p.time)), timed = true;
-    out.end = out.begin + (timed ? last : kTurn);
+    const core::CloudSweep sweep = core::sweepOf(message.points);
+    out.end = out.begin + (sweep.known ? sweep.sweep.end : kTurn);
     return out;
   }
 

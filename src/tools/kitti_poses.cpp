@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "field_fusion/core/base/median.h"
 #include "field_fusion/core/cloud/voxel.h"
 #include "field_fusion/core/io/kitti.h"
 #include "progress.h"
@@ -48,11 +49,7 @@ class Registration {
     return guess;
   }
 
-  double medianResidual() {
-    if (residuals_.empty()) return 0.0;
-    std::nth_element(residuals_.begin(), residuals_.begin() + residuals_.size() / 2, residuals_.end());
-    return residuals_[residuals_.size() / 2];
-  }
+  double medianResidual() const { return residuals_.empty() ? 0.0 : core::median(residuals_); }
 
  private:
   pcl::GeneralizedIterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ> gicp_;

@@ -1,5 +1,6 @@
 #pragma once
 // The way of a sensor while it measures, from messages of odometry or of an inertial unit.
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/Imu.h>
 
@@ -62,5 +63,8 @@ class MotionSource {
   core::Inertial inertial_;
   std::string frame_;  // whose poses are in the history
 };
+
+/// How many messages went on raw and why; a warning while it goes on. `what`: "scans".
+void describeRaw(const FaultLog& raw, const std::string& what, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 }  // namespace field_fusion

@@ -23,8 +23,7 @@ Eigen::Quaterniond turned(const Eigen::Vector3d& turn) {
 void Inertial::setParams(const InertialParams& params) { params_ = checked(params); }
 
 void Inertial::reset() {
-  const InertialParams params = params_;
-  *this = Inertial(params);
+  *this = Inertial(params_);
 }
 
 void Inertial::start(double time, const Eigen::Vector3d& rate, const Eigen::Vector3d& force) {

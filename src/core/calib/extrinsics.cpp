@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "field_fusion/core/base/median.h"
 #include "joint_problem.h"
 
 namespace field_fusion::core {
@@ -35,11 +36,10 @@ void check(const Board& board, const std::vector<CalibrationPose>& poses, const 
 }
 
 template <class Of>
-double median(const std::vector<PoseResidual>& residuals, Of of) {
+double medianOf(const std::vector<PoseResidual>& residuals, Of of) {
   std::vector<double> values;
   for (const PoseResidual& r : residuals) values.push_back(of(r));
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
+  return median(std::move(values));
 }
 
 /// The worst pose among those still used if it is an outlier, else their number.
@@ -47,8 +47,8 @@ std::size_t outlier(const JointProblem& problem) {
   std::vector<PoseResidual> residuals;
   for (const PoseBlock& block : problem.blocks())
     residuals.push_back(problem.residual(*block.pose, block.T_camera_board));
-  const double range = std::max(kAnyRange, kOutlier * median(residuals, [](auto& r) { return r.rms; }));
-  const double pixel = std::max(kAnyPixel, kOutlier * median(residuals, [](auto& r) { return r.reprojection; }));
+  const double range = std::max(kAnyRange, kOutlier * medianOf(residuals, [](auto& r) { return r.rms; }));
+  const double pixel = std::max(kAnyPixel, kOutlier * medianOf(residuals, [](auto& r) { return r.reprojection; }));
   const auto badness = [&](const PoseResidual& r) { return std::max(r.rms / range, r.reprojection / pixel); };
   const auto worst = std::max_element(residuals.begin(), residuals.end(),
                                       [&](auto& a, auto& b) { return badness(a) < badness(b); });
@@ -117,8 +117,7 @@ Calibration calibrate(const Board& board, const CameraLens& lens, std::vector<Ca
   found.poses = allResiduals(problem, poses);
   std::vector<double> sigmas;
   for (const PoseBlock& block : problem.blocks()) sigmas.push_back(block.range_sigma);
-  std::nth_element(sigmas.begin(), sigmas.begin() + sigmas.size() / 2, sigmas.end());
-  found.range_sigma = sigmas[sigmas.size() / 2];
+  found.range_sigma = median(std::move(sigmas));
   refuseUnsure(found);
   return found;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_fusion/core/base/median.h"
+
 namespace field_fusion::core {
 namespace {
 
@@ -111,8 +113,7 @@ struct Prior {
 double sigmaOf(std::vector<double> sizes) {
   constexpr double kMedianOfNormal = 0.6745;
   if (sizes.empty()) return 0.0;
-  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
-  return sizes[sizes.size() / 2] / kMedianOfNormal;
+  return median(std::move(sizes)) / kMedianOfNormal;
 }
 
 }  // namespace

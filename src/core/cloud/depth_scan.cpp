@@ -31,6 +31,7 @@ void DepthScanner::begin(const ScanPlace& place, std::size_t batch) {
   grid_.assign(bins_.size() * cells_, {kFree, 0});
   seen_.assign(bins_.size(), 0);
   T_base_plane_ = place.T_plane_base.inverse().cast<float>();
+  own_range_ = body_.empty() ? 0.f : body_reach_ + T_base_plane_.translation().norm();
   low_ = static_cast<float>(params_.min_height - place.plane_height);
   high_ = static_cast<float>(params_.max_height - place.plane_height);
   slope_ = static_cast<float>(std::tan(radians(params_.floor_angle)));
@@ -62,7 +63,7 @@ void DepthScanner::add(float x, float y, float z, float range, std::size_t beam)
   const float first = static_cast<float>(params_.range_min);
   if (range < first) return void(++counts_.out_of_range);
   if (range > static_cast<float>(params_.range_max)) return drop(counts_.out_of_range);
-  if (range < body_reach_ + std::abs(T_base_plane_.translation().norm())) {
+  if (range < own_range_) {
     const Eigen::Vector3f at = T_base_plane_ * Eigen::Vector3f(x, y, z);
     for (const auto& box : body_)
       if (box.contains(at)) return void(++counts_.body);

@@ -1,9 +1,10 @@
 #include "field_fusion/core/io/carmen.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "field_fusion/core/io/lines.h"
 
 namespace field_fusion::core {
 namespace {
@@ -148,18 +149,8 @@ bool parseStamp(const std::string& text, std::int64_t& stamp_ns) {
 }
 
 CarmenLog readCarmen(const std::filesystem::path& file, bool sensor_stamps) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
   CarmenLog log;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (line.empty() || line[0] == '#' || line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      readLine(line, sensor_stamps, log);
-    } catch (const std::exception& e) {
-      throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": " + e.what());
-    }
-  }
+  eachLine(file, [&](const std::string& line) { readLine(line, sensor_stamps, log); });
   return log;
 }
 

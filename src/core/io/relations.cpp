@@ -1,26 +1,22 @@
 #include "field_fusion/core/io/relations.h"
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "field_fusion/core/io/carmen.h"
+#include "field_fusion/core/io/lines.h"
 
 namespace field_fusion::core {
 namespace {
 
-/// Calls read(words) for each line that has something to say.
+/// Calls read(words) for each line; it says whether they are what they should be.
 template <class Read>
-void eachLine(const std::filesystem::path& file, const Read& read) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (line.empty() || line[0] == '#' || line.find_first_not_of(" \t\r") == std::string::npos) continue;
+void eachRow(const std::filesystem::path& file, const Read& read) {
+  eachLine(file, [&read](const std::string& line) {
     std::istringstream words(line);
-    if (!read(words)) throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": '" + line + "'");
-  }
+    if (!read(words)) throw std::runtime_error("'" + line + "'");
+  });
 }
 
 bool readStamp(std::istream& in, std::int64_t& ns) {
@@ -42,7 +38,7 @@ std::int64_t microseconds(std::int64_t ns) { return (ns + (ns < 0 ? -500 : 500))
 
 std::vector<Relation> readRelations(const std::filesystem::path& file) {
   std::vector<Relation> out;
-  eachLine(file, [&out](std::istream& in) {
+  eachRow(file, [&out](std::istream& in) {
     Relation r;
     double z, roll, pitch;
     const bool good = readStamp(in, r.from_ns) && readStamp(in, r.to_ns) &&
@@ -55,7 +51,7 @@ std::vector<Relation> readRelations(const std::filesystem::path& file) {
 
 std::vector<StampedPose2> readPoses(const std::filesystem::path& file) {
   std::vector<StampedPose2> out;
-  eachLine(file, [&out](std::istream& in) {
+  eachRow(file, [&out](std::istream& in) {
     StampedPose2 p;
     const bool good = readStamp(in, p.stamp_ns) && in >> p.pose.x >> p.pose.y >> p.pose.yaw && p.pose.finite();
     out.push_back(p);

@@ -40,7 +40,9 @@ struct Miss {
 
 }  // namespace
 
-ScanMatcher::ScanMatcher(const MatchSettings& settings) : settings_(settings) {}
+ScanMatcher::ScanMatcher(const MatchSettings& settings)
+    : settings_(settings),
+      outlier_(static_cast<float>(settings.outlier * settings.sigma / settings.resolution)) {}
 
 void ScanMatcher::open(const SlamScan& scan, TileMap& map, const Pose2& about) {
   const auto scale = static_cast<float>(1.0 / settings_.resolution);
@@ -198,10 +200,9 @@ void ScanMatcher::turnRough(double yaw, std::size_t stride) {
 
 /// Gauss-Newton on the nearest walls, outliers cut off more and more tightly.
 ScanMatcher::Vector ScanMatcher::descend(Vector v) {
-  const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
   for (const float widened : {2.f, 1.f}) {
     for (int i = 0; i < 8; ++i) {
-      const Normal n = normal(v, widened * outlier);
+      const Normal n = normal(v, widened * outlier_);
       const Vector step = -n.information.ldlt().solve(n.slope);
       const double moved = std::max({std::abs(step.x()), std::abs(step.y()), reach_ * std::abs(step.z())});
       if (!std::isfinite(moved)) return v;
@@ -214,8 +215,7 @@ ScanMatcher::Vector ScanMatcher::descend(Vector v) {
 
 /// The lattice may be misled where a scan says little, along a corridor; so what odometry says is tried too.
 ScanMatcher::Vector ScanMatcher::best(const PosePrior& prior) {
-  const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
-  const auto at = [&](const Vector& v) { return scale_ * cost(v, outlier) + priorCost(v); };
+  const auto at = [&](const Vector& v) { return scale_ * cost(v, outlier_) + priorCost(v); };
   const Vector start = search(prior), near = descend(prior_mean_);
   if (start == prior_mean_) return near;
   const Vector far = descend(start);
@@ -225,10 +225,9 @@ ScanMatcher::Vector ScanMatcher::best(const PosePrior& prior) {
 /// Gauss-Hermite points of the normal that the curvature at the peak gives, each weighed by what is really
 /// there: exact for a normal, and right to see where the walls end.
 void ScanMatcher::sample(const Vector& peak, Match& out) {
-  const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
-  const Normal n = normal(peak, outlier);
+  const Normal n = normal(peak, outlier_);
   const Eigen::Matrix3d spread = n.information.inverse().llt().matrixL();
-  const double least = scale_ * cost(peak, outlier) + priorCost(peak);
+  const double least = scale_ * cost(peak, outlier_) + priorCost(peak);
   out.score = score_;
   double mass = 0.0;
   Vector mean = Vector::Zero();
@@ -238,7 +237,7 @@ void ScanMatcher::sample(const Vector& peak, Match& out) {
     double share = 1.0;
     for (int a = 0; a < 3; ++a) share *= z[a] == 0.0 ? 2.0 / 3.0 : 1.0 / 6.0;
     const Vector d = spread * z;
-    const double above = scale_ * cost(peak + d, outlier) + priorCost(peak + d) - least;
+    const double above = scale_ * cost(peak + d, outlier_) + priorCost(peak + d) - least;
     const double weight = share * std::exp(0.5 * z.squaredNorm() - std::max(0.0, above));
     mass += weight, mean += weight * d, square += weight * d * d.transpose();
   }
@@ -268,8 +267,7 @@ Match ScanMatcher::match(const SlamScan& scan, TileMap& map, const PosePrior& pr
 
 double ScanMatcher::logLikelihood(const SlamScan& scan, TileMap& map, const Pose2& T_map_base, double* score) {
   open(scan, map, T_map_base);
-  const auto outlier = static_cast<float>(settings_.outlier * settings_.sigma / settings_.resolution);
-  const double at = scale_ * cost(inWindow(T_map_base), outlier);
+  const double at = scale_ * cost(inWindow(T_map_base), outlier_);
   if (score) *score = score_;
   return -at;
 }

@@ -10,11 +10,6 @@ Point pointAt(const Eigen::Vector3f& position, const Scan& scan, std::size_t bea
   return out;
 }
 
-Eigen::Vector3f direction(const Scan& scan, std::size_t beam) {
-  const double angle = scan.angle(beam);
-  return Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0).cast<float>();
-}
-
 }  // namespace
 
 void ScanDeskewer::updateDirections(const Scan& scan) {
@@ -24,7 +19,7 @@ void ScanDeskewer::updateDirections(const Scan& scan) {
   angle_min_ = scan.angle_min;
   angle_increment_ = scan.angle_increment;
   directions_.resize(scan.ranges.size());
-  for (std::size_t i = 0; i < directions_.size(); ++i) directions_[i] = direction(scan, i);
+  for (std::size_t i = 0; i < directions_.size(); ++i) directions_[i] = scan.direction(i).cast<float>();
 }
 
 DeskewCounts ScanDeskewer::run(const Scan& scan, double begin, double time_increment, MotionTrack& track,
@@ -64,7 +59,7 @@ void scanPoints(const Scan& scan, double begin, double time_increment, Cloud& po
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const float range = reading(scan, i);
     if (!std::isfinite(range)) continue;
-    points.push_back(pointAt(range * direction(scan, i), scan, i));
+    points.push_back(pointAt(range * scan.direction(i).cast<float>(), scan, i));
     points.back().time = static_cast<float>(begin + static_cast<double>(i) * time_increment);
   }
 }

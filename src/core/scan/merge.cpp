@@ -63,7 +63,7 @@ void ScanMerger::add(const Scan& scan, const Transform& T_plane_scanner) {
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const float range = reading(scan, i);
     if (std::isnan(range)) continue;
-    const Eigen::Vector3d direction(std::cos(scan.angle(i)), std::sin(scan.angle(i)), 0.0);
+    const Eigen::Vector3d direction = scan.direction(i);
     if (std::isfinite(range)) {
       addReturn(T_plane_scanner * (range * direction));
       continue;

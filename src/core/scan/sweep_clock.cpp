@@ -1,5 +1,7 @@
 #include "field_fusion/core/scan/sweep_clock.h"
 
+#include "field_fusion/core/base/median.h"
+
 namespace field_fusion::core {
 namespace {
 
@@ -30,10 +32,7 @@ void SweepClock::reset() {
 
 std::optional<double> SweepClock::spacing() const {
   if (spacings_.size() < kEnough) return std::nullopt;
-  auto sorted = spacings_;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  return median(spacings_);
 }
 
 SweepTiming SweepClock::of(const Scan& scan, double stamp, double sweep_time) {

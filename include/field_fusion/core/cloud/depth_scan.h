@@ -96,7 +96,8 @@ class DepthScanner {
   DepthScanParams params_;
   ScanBins bins_{0.0, radians(1.0)};
   std::vector<Eigen::AlignedBox3f> body_;
-  float body_reach_ = 0.f;  // [m] beyond it nothing is the robot's own
+  float body_reach_ = 0.f;  // [m] from the base, beyond it nothing is the robot's own
+  float own_range_ = 0.f;   // [m] likewise from the plane's origin
   std::size_t cells_ = 0;   // of a beam
   std::vector<Cell> grid_;  // beam by beam
   std::vector<char> seen_;  // of each beam

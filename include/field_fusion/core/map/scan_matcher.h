@@ -78,6 +78,7 @@ class ScanMatcher {
   void sample(const Vector& peak, Match& out);
 
   MatchSettings settings_;
+  float outlier_;               // [cells]
   FieldWindow window_;
   std::vector<Hit> hits_;
   std::vector<RoughPoint> rough_;

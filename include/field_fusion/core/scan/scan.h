@@ -24,6 +24,10 @@ struct Scan {
   std::vector<float> intensities;                 ///< empty, or one a beam
 
   double angle(std::size_t beam) const { return angle_min + static_cast<double>(beam) * angle_increment; }
+  Eigen::Vector3d direction(std::size_t beam) const {
+    const double azimuth = angle(beam);
+    return {std::cos(azimuth), std::sin(azimuth), 0.0};
+  }
 };
 
 /// What a beam says: its range, kFree, kNear or NaN. Drivers older than REP-117 send numbers beyond the
