@@ -26,6 +26,15 @@ Wave readWave(const Yaml& yaml) {
   return wave;
 }
 
+/// Where the crests of all meet.
+void checkSteepness(const Yaml& yaml, const std::vector<Wave>& waves) {
+  double sum = 0.0;
+  for (const Wave& wave : waves) sum += wave.amplitude / wave.length;
+  if (sum > kBreaks * (1.0 + 1e-9))
+    yaml.fail("break: their amplitudes over their lengths add up to " + shortNumber(sum) +
+              ", which must not be above " + shortNumber(kBreaks));
+}
+
 /// Keys that a kind of ground has beside kind and material.
 std::vector<std::string> keysOf(Ground::Kind kind) {
   switch (kind) {
@@ -63,6 +72,7 @@ Ground readGround(const Yaml& yaml) {
   if (yaml.has("waves"))
     for (const Yaml& wave : yaml["waves"].list()) ground.waves.push_back(readWave(wave));
   if (ground.waves.size() > kMostWaves) yaml["waves"].fail("must not be more than 32");
+  if (!ground.waves.empty()) checkSteepness(yaml["waves"], ground.waves);
   if (yaml.has("material")) readMaterial(yaml["material"], ground.material);
   return ground;
 }
