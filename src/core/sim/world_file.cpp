@@ -125,22 +125,22 @@ void checkSees(const World& world, const Mount& mount, const Yaml& yaml) {
     yaml.fail("the sensor " + mount.name + " is inside the robot's own body");
 }
 
-/// Sensors and the middle of the robot's own body, against every other body at the start.
+/// Sensors and the middle of the robot's own body, against every other body.
 void checkRobotIsFree(const World& world, const std::string& sensors, const Yaml& yaml) {
-  const Transform T_world_base = world.robot.way.pose(0);
-  const auto check = [&](const Yaml& at, const std::string& what, const Eigen::Vector3d& place) {
-    for (const Body& body : world.bodies)
-      if (inside(body.model, body.way.pose(0).inverse() * (T_world_base * place), 0))
-        at.fail(what + " is inside the body " + body.name + " at the start");
-  };
-  const bool has_body = !world.robot.model.links.empty();
-  check(yaml, "the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
   const auto& mounts = world.robot.mounts;
-  for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const Yaml item = yaml["mounts"].list()[i];
-    check(item, "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
-    if (sensorKind(sensors, mounts[i].model).sees) checkSees(world, mounts[i], item);
+  const bool has_body = !world.robot.model.links.empty();
+  std::vector<Eigen::Vector3d> places;
+  for (const Mount& mount : mounts) places.push_back(mount.T_base_sensor.translation());
+  places.push_back(has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
+  if (const auto touch = firstTouch(world, places)) {
+    const bool robot = touch->place == mounts.size();
+    const std::string when = touch->time > 0 ? "after " + shortNumber(touch->time) + " s" : "at the start";
+    (robot ? yaml : yaml["mounts"].list()[touch->place])
+        .fail((robot ? "the robot" : "the sensor " + mounts[touch->place].name) + " is inside the body " +
+              touch->body->name + " " + when);
   }
+  for (std::size_t i = 0; i < mounts.size(); ++i)
+    if (sensorKind(sensors, mounts[i].model).sees) checkSees(world, mounts[i], yaml["mounts"].list()[i]);
 }
 
 }  // namespace
