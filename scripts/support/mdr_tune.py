@@ -12,7 +12,7 @@ GRID = {
     "vicp": {"vicp_metric": ("point", "line"), "vicp_max_distance": (0.2, 0.5, 1.0)},
     "imu": {"imu_velocity_time": (0.1, 0.5, 2.0), "imu_gravity_time": (0.5, 2.0, 10.0)},
 }
-SEED, SECONDS = 1001, 8.0
+SEED, SECONDS = 1001, 4.0
 CORRIDOR = point_error.Room({"wall_east": (1, 0, 15.0), "wall_west": (-1, 0, 15.0), "wall_north": (0, 1, 1.05), "wall_south": (0, -1, 1.05)})
 
 
