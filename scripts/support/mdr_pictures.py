@@ -39,9 +39,9 @@ def scans(overlays, file):
         axis.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], color="0.6", linewidth=1, label="walls, truly")
         for kind, colour, label in (("raw", "red", "before: raw"), ("mdr", "tab:green", "after: odometry (MDR)")):
             axis.plot(*overlay.clouds[kind].T, ".", color=colour, markersize=2.5, label=label)
-        axis.plot(*overlay.place, "k^", markersize=8, label="scanner")
+        axis.plot(*overlay.place, "k^", markersize=5, label="scanner")
         axis.set(aspect="equal", xlabel="x [m]", ylabel="y [m]", title=f"turning at {overlay.case.rsplit('_')[-1]} deg/s")
-        axis.legend(loc="center", fontsize=8, markerscale=2)
+        axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=4, fontsize=8, markerscale=2)
     _save(figure, file)
 
 
