@@ -22,12 +22,14 @@ class Grid:
     def __init__(self):
         self.shape = tuple(numpy.round((HIGH - LOW) / CELL).astype(int))  # along x, along y
         self.hits, self.visits = numpy.zeros(self.shape), numpy.zeros(self.shape)
+        self.sums = numpy.zeros((2, *self.shape))  # of x and y of the hits
 
     def add(self, origin, ends):
         """Of beams from one place to the points where they ended, n x 2."""
         hits = self._cells(ends)
-        numpy.add.at(self.hits.reshape(-1), hits[hits >= 0], 1)
-        numpy.add.at(self.visits.reshape(-1), hits[hits >= 0], 1)
+        inside = hits >= 0
+        for counts, values in ((self.hits, 1.0), (self.visits, 1.0), (self.sums[0], ends[inside, 0]), (self.sums[1], ends[inside, 1])):
+            numpy.add.at(counts.reshape(-1), hits[inside], values)
         self._pass(origin, ends, hits)
 
     def _pass(self, origin, ends, last):
@@ -50,6 +52,10 @@ class Grid:
 
     def occupied(self):
         return (self.hits > 0) & (self.hits >= OCCUPIED * self.visits)
+
+    def means(self, axis):
+        """Of the hits in each cell."""
+        return self.sums[axis] / numpy.maximum(self.hits, 1)
 
     def length(self):
         """[m] {strip: from one end wall to the other}, NaN where a wall is not in the map."""

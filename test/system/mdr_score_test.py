@@ -6,6 +6,7 @@ import numpy
 import pytest
 
 import corridor_map
+import corridor_match
 import dead_reckoning
 import mdr_corridor
 import point_error
@@ -51,6 +52,31 @@ def test_cells_on_the_way_are_visited_and_where_the_beam_ends_is_hit():
     for _ in range(3):
         grid.add(numpy.array([0.01, 0.01]), numpy.array([[2.01, 0.01]]))
     assert grid.visits[zero[0] + 20, zero[1]] == 5 and not grid.occupied()[zero[0] + 20, zero[1]]  # 1 of 5 is less than a quarter
+
+
+def room_seen_from(place, off):
+    """A scan of a room of 8 x 2 m whose places are told `off` wrong."""
+    angles = numpy.linspace(-math.pi, math.pi, 1600, endpoint=False) + 0.001  # no beam along an axis
+    ways = numpy.stack([numpy.cos(angles), numpy.sin(angles)], axis=1)
+    far = numpy.where(ways > 0, [4.0, 1.0], [-4.0, -1.0]) - place
+    ranges = numpy.min(far / ways, axis=1)
+    return place + off, place + off + ways * ranges[:, None]
+
+
+def test_a_scan_is_moved_onto_the_walls_that_are_there():
+    matched = corridor_match.MatchedGrid()
+    for at, off in ((0.0, 0.0), (0.5, 0.03), (1.0, 0.08), (1.5, -0.02)):
+        matched.add(*room_seen_from(numpy.array([at, 0.1]), numpy.array([off, off / 2])))
+        assert matched.offset == pytest.approx([-off, -off / 2], abs=0.01)
+
+
+def test_what_is_too_far_or_nowhere_moves_nothing():
+    origin, ends = room_seen_from(numpy.zeros(2), numpy.zeros(2))
+    grid = corridor_map.Grid()
+    assert corridor_match.shift(grid, origin, ends).tolist() == [0.0, 0.0]
+    grid.add(origin, ends)
+    assert corridor_match.shift(grid, origin + 0.7, ends + 0.7).tolist() == [0.0, 0.0]
+    assert corridor_match.shift(grid, origin, numpy.zeros((0, 2))).tolist() == [0.0, 0.0]
 
 
 def test_points_of_the_floor_do_not_enter_the_map():
@@ -115,7 +141,7 @@ def test_beams_without_return_and_wrong_ones_do_not_count():
 
 
 def test_lengths_are_set_beside_the_papers():
-    row = lambda kind, length: mdr_corridor.Row(1, kind, dict.fromkeys(corridor_map.STRIPS, length), 0, None)
+    row = lambda kind, length: mdr_corridor.Row(1, kind, dict.fromkeys(corridor_map.STRIPS, length), 30.2, 0, None)
     rows = [row("raw", 29.0), row("vicp", 29.6), row("imu", 30.5), row("mdr", 30.1), row("instant", 30.08)]
     told = "\n".join(mdr_corridor.table(rows))
     assert "mdr errs by 75.0 % less than vicp (paper: 48.4 %)" in told and "29.67 m    0.33 m" in told
