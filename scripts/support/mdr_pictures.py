@@ -21,12 +21,12 @@ def maps(rows, file):
         shade = (grid.visits == 0) * 0.25 + grid.occupied() * 1.0
         for axis in (west, whole, east):
             axis.imshow(shade.T, cmap="Greys", vmin=0, vmax=1, origin="lower", extent=EXTENT, interpolation="nearest")
-            axis.set(ylim=(-1.5, 1.5), aspect="equal")
+            axis.set(ylim=(-1.5, 1.5), aspect="equal", yticks=[-1, 0, 1] if axis is west else [])
             for wall in (-mdr_corridor.LENGTH / 2, mdr_corridor.LENGTH / 2):
                 axis.axvline(wall, color="red", linewidth=0.8)
         west.set(xlim=(-16, -14), ylabel="y [m]")
-        whole.set(xlim=(-16, 16), yticks=[], title=f"{NAMES[row.kind]}: {row.length:.3f} m")
-        east.set(xlim=(14, 16), yticks=[])
+        whole.set(xlim=(-16, 16), title=f"{NAMES[row.kind]}: {row.length:.3f} m")
+        east.set(xlim=(14, 16))
     axes[-1][1].set_xlabel("x [m]      left and right: the ends, larger; red: where the end walls truly are, 30 m apart")
     _save(figure, file)
 

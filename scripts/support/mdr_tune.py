@@ -25,13 +25,15 @@ def run(experiment):
         settings = [dict(zip(grid, values)) for values in itertools.product(*grid.values())]
         names = {f"{method}_{i}": changes for i, changes in enumerate(settings)}
         stages = DeskewStages(experiment.session, experiment.folder, {name: Method(method, changes) for name, changes in names.items()})
-        left = {name: [] for name in names}
+        left = {name: [] for name in (*names, "raw")}
         for scan, answer in zip(walk.scans, stages.play(walk)):
             noise = CORRIDOR.noise(walk, scan)
-            for name, deskewed in answer.items():
-                left[name].append(CORRIDOR.errors(walk, scan, deskewed.points) - noise)
+            clouds = {"raw": walk_bag.returns(scan.message)[1], **{name: deskewed.points for name, deskewed in answer.items()}}
+            for name, points in clouds.items():
+                left[name].append(CORRIDOR.errors(walk, scan, points) - noise)
         stages.close()
         rows = [[*changes.values(), f"{point_error.rms(left[name]):.4f}"] for name, changes in names.items()]
         experiment.table(f"mdr_tune_{method}", [*grid, "motion_left_rms_m"], rows)
-        yield [f"{'  '.join(grid)}  motion left in the points, RMS [m]", *("  ".join(map(str, row)) for row in rows)]
+        yield [f"{'  '.join(grid)}  motion left in the points, RMS [m]", *("  ".join(map(str, row)) for row in rows),
+               f"without deskewing  {point_error.rms(left['raw']):.4f}"]
     experiment.done(bag)
