@@ -49,7 +49,6 @@ def _corridor(experiment, stages):
     if "corridor" not in experiment.given.parts:
         return
     rows = mdr_corridor.run(experiment, stages)
-    experiment.table("mdr_corridor", mdr_corridor.COLUMNS, mdr_corridor.csv_rows(rows))
     if experiment.given.out:
         import mdr_pictures  # matplotlib only where a picture is asked for
 

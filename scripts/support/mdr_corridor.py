@@ -29,11 +29,16 @@ class Row(typing.NamedTuple):
 
 
 def run(experiment, stages):
-    return [row for seed in experiment.seeds for row in _seed(experiment, stages, seed)]
+    rows = []
+    for seed in experiment.seeds:
+        experiment.say(f"corridor, seed {seed}")
+        rows += _seed(experiment, stages, seed)
+        experiment.say("  ".join(f"{row.kind} {row.length:.3f} m" for row in rows if row.seed == seed))
+        experiment.table("mdr_corridor", COLUMNS, csv_rows(rows))  # what there is, should it be interrupted
+    return rows
 
 
 def _seed(experiment, stages, seed):
-    experiment.say(f"corridor, seed {seed}")
     bags = [experiment.bag(mdr_worlds.corridor(at_once), mdr_worlds.SECONDS["corridor"], seed, *mdr_worlds.MOUNTS)
             for at_once in (False, True)]
     swept, instant = map(walk_bag.read, bags)
