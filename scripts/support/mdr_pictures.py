@@ -47,5 +47,5 @@ def scans(overlays, file):
 
 def _save(figure, file):
     figure.tight_layout()
-    figure.savefig(file, dpi=110)
+    figure.savefig(file, dpi=110, bbox_inches="tight")
     pyplot.close(figure)
