@@ -125,7 +125,7 @@ TEST(GridSlam, GoesOnInAMapThatWasThere) {
 
 TEST(GridSlam, MemoryFollowsTheAreaNotTheTime) {
   GridSlamParams params = few();
-  params.particles = 3, params.path_length = 1000;
+  params.particles = 3, params.path_length = 400;
   GridSlam slam(params);
   Walk walk;
   const auto held = [&slam](std::size_t& nodes) {  // tiles and nodes of the path of all particles, shared ones once
@@ -138,13 +138,13 @@ TEST(GridSlam, MemoryFollowsTheAreaNotTheTime) {
     return tiles.size();
   };
   std::size_t early = 0, late = 0, nodes = 0;
-  for (int i = 0; i < 3200; ++i, walk.step()) {  // some forty times round
+  for (int i = 0; i < 1600; ++i, walk.step()) {  // some twenty times round
     slam.process(test::roomScan(walk.truth, 90), walk.odometry, walk.stamp_ns);
-    if (i == 400) early = held(nodes);
+    if (i == 200) early = held(nodes);
   }
   late = held(nodes);
   EXPECT_LE(late, early + early / 4);
-  EXPECT_LE(nodes, 3u * 1500u) << "path_length, and half of it until the next cut";
+  EXPECT_LE(nodes, 3u * 600u) << "path_length, and half of it until the next cut";
 }
 
 TEST(SlamPath, ForgetsALongPastWithoutRecursion) {
