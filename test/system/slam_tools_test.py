@@ -53,7 +53,7 @@ BAD = {  # what the log is: what is said
     flaser(1.0, ranges="1 x 2"): "a.log:1: a range is 'x'",
     flaser(0.0): "--start SECONDS",
     flaser(1.0) + "\n" + flaser(2.0, laser="5 5 0"): "--laser X Y YAW",
-    flaser(1.0, ranges="1.0"): "angle_increment is 3.14",
+    flaser(1.0, ranges="1.0"): "angle_increment is 0.0",
 }
 
 
