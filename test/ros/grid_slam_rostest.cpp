@@ -31,7 +31,6 @@ class GridSlamStage : public testing::Test {
     frames_.sendStatic("base", "laser", core::Transform(Eigen::Translation3d(0.3, 0.0, 0.4)));
     frames_.sendStatic("base", "upside", upside);
     ASSERT_TRUE(spinUntil([this] { return scan_.connected() && map_.connected() && path_.connected(); }));
-    now_ -= 3.033;  // each test jumps back in time, which clears the map; no farther than TF remembers
   }
 
   sensor_msgs::LaserScan scan(const std::string& frame, int beams = 360) const {
@@ -58,10 +57,12 @@ class GridSlamStage : public testing::Test {
   bool taken() {
     return spinUntil([this] { return map_.last && map_.last->header.stamp == ros::Time(now_); });
   }
-  /// Until the stage has heard of the transforms and begun a map.
-  bool begins(const std::string& frame = "laser") {  // odometry is right up to then
+  /// Until the stage has begun a new map: time jumps back, which clears it and the transforms of the test before. Odometry is
+  /// right up to then.
+  bool begins(const std::string& frame = "laser") {
+    int tries = 0;
     return askUntil([this] { return map_.last && map_.last->header.stamp == ros::Time(now_); },
-                    [&] { now_ += 0.1, send(scan(frame)); });
+                    [&] { now_ += tries++ % 2 == 0 ? -1000.0 : 0.1, send(scan(frame)); });
   }
   bool steps(int count, const std::string& frame = "laser", int beams = 360) {
     for (int i = 0; i < count; ++i) {
@@ -162,7 +163,7 @@ TEST_F(GridSlamStage, AJumpOfOdometryIsNoMotion) {
   ASSERT_TRUE(steps(5));
   odom_.x += 10.0;
   walk(), send(scan("laser"));
-  EXPECT_LT(off(), 0.2) << "only this step is not known";
+  EXPECT_TRUE(spinUntil([this] { return off() < 0.2; })) << "only this step is not known";
   ASSERT_TRUE(steps(5));
   EXPECT_LT(off(), 0.06);
   EXPECT_TRUE(spinUntil([&] { return diagnostics_.value("grid_slam", "jumps of the odometry") == "1"; }));
@@ -173,7 +174,6 @@ TEST_F(GridSlamStage, MissingTransformIsNamedAndABagMayLoop) {
   walk();
   scan_.send(scan("nowhere"));
   EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("grid_slam", "scan: dropped, no transform").empty(); }));
-  now_ -= 3.033;
   ASSERT_TRUE(begins());
   ASSERT_TRUE(spinUntil([this] { return path_.last && path_.last->header.stamp == ros::Time(now_); }));
   EXPECT_EQ(path_.last->poses.size(), 1u) << "the map is a new one";
