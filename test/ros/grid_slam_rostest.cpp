@@ -162,8 +162,7 @@ TEST_F(GridSlamStage, AJumpOfOdometryIsNoMotion) {
   ASSERT_TRUE(begins());
   ASSERT_TRUE(steps(5));
   odom_.x += 10.0;
-  walk(), send(scan("laser"));
-  EXPECT_TRUE(spinUntil([this] { return off() < 0.2; })) << "only this step is not known";
+  walk(), send(scan("laser"));  // its own step is lost: it is not yet due
   ASSERT_TRUE(steps(5));
   EXPECT_LT(off(), 0.06);
   EXPECT_TRUE(spinUntil([&] { return diagnostics_.value("grid_slam", "jumps of the odometry") == "1"; }));
