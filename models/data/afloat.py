@@ -10,8 +10,8 @@ def dark_or_bright(draw, dark):
 
 def cage(draw):
     shape = draw.kind({"cage": 3, "pontoon_cage": 1.5}, {"bird_net_cage": 1, "pontoon_cage": 1})
-    params = {"diameter": draw.spread(2, 12), "height": draw.number(0.7, 1.4), "transparency": draw.number(0.6, 0.95),
-              "draught": draw.number(0.5, 2)}
+    params = {"diameter": draw.spread(2 if draw.held_out else 0.4, 12), "height": draw.number(0.7, 1.4),
+              "transparency": draw.number(0.6, 0.95), "draught": draw.number(0.5, 2)}
     if shape == "cage":
         params.update(posts=draw.randint(8, 30), tube=draw.number(0.12, 0.4), rails=draw.randint(1, 3),
                       unbraced=draw.randint(0, 1))
@@ -19,12 +19,19 @@ def cage(draw):
         params.update(posts=draw.randint(10, 24), tube=draw.number(0.15, 0.4), height=draw.near(0.9 + 0.07 * params["diameter"]))
     else:
         params.update(posts=draw.randint(3, 9), gangway=draw.number(0.4, 1.0), drums=draw.randint(3, 6) if draw.held_out else 0)
+    if params["diameter"] < 2:  # a model of one, of finer parts
+        params.update(height=draw.number(0.3, 1.2), draught=draw.number(0.2, 0.6))
+        finer = {"tube": draw.number(0.04, 0.12)} if shape == "cage" else {"gangway": draw.number(0.06, 0.15)}
+        params.update(finer, posts=draw.randint(3, 12))
     paints = {"float": draw.material(dark_or_bright(draw, 0.6), gloss=(0, 0.3)),
               "rail": draw.material(dark_or_bright(draw, 0.4), (0.02, 0.2)),
               "net": {"colour": draw.colour((0.1, 0.7), (0, 0.7))}}
     if shape == "pontoon_cage":
         paints["deck"] = draw.material(draw.colour((0.2, 0.7), (0, 0.5), (0.0, 0.2)), (0.05, 0.3))
-    return shaped(shape, params, materials=paints)
+    thing = shaped(shape, params, materials=paints)
+    if shape == "pontoon_cage" and not draw.held_out:
+        thing.radius *= 1.42  # it is square
+    return thing
 
 
 BOATS = {  # length from .. to; width, height, draught over it; what is painted

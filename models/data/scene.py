@@ -52,6 +52,10 @@ class Scene:
     def farthest(self, thing):
         return min(FARTHEST, self.camera["fx"] * thing.extent / SMALLEST)
 
+    def lift(self, thing):
+        """[m] by which what floats stands higher on land; none of those held out does."""
+        return 0 if self.draw.held_out else thing.keys.get("params", {}).get("draught", 0)
+
     def try_in_view(self, thing, **more):
         """Somewhere in sight from one of the robot's places, if thirty tries find room."""
         half = 1.05 * math.atan(0.5 * self.camera["width"] / self.camera["fx"])
@@ -63,5 +67,5 @@ class Scene:
             x, y = px + distance * math.cos(angle), py + distance * math.sin(angle)
             if self.free(x, y, thing.radius):
                 self.take([(x, y, thing.radius)])
-                return self.add_anyhow(thing, x, y, 0, **more)
+                return self.add_anyhow(thing, x, y, 0 if more.get("floats") else self.lift(thing), **more)
         return None
