@@ -26,7 +26,7 @@ std::vector<bench::LogScan> readLog(const Options& o) {
   std::vector<bench::LogScan> out;
   for (const core::CarmenScan& s : core::readCarmen(o.log).scans)
     out.push_back({s.stamp_ns,
-                   core::slamScan(s.ranges, s.angle_min, s.angle_increment, T_base_sensor,
+                   core::slamScan(core::scanOf(s, o.params.max_range), T_base_sensor,
                                   {o.params.min_range, o.params.usable_range, o.params.max_range}),
                    s.odometry});
   return out;
@@ -76,6 +76,7 @@ void score(Options& o) {
   std::printf("%s/translation_worst %.4f m\n", name.c_str(), *std::max_element(translation.begin(), translation.end()));
   std::printf("%s/rotation_mean %.3f deg\n", name.c_str(), mean(rotation));
   bench::print("slam/" + o.name + "/cost", bench::medianFigure(cost), "ms");
+  std::printf("%s/memory %.1f MB\n", name.c_str(), bench::peakMb());
 }
 
 }  // namespace

@@ -42,10 +42,12 @@ int main(int argc, char** argv) {
   params.threads = 1;
   int seeds = 5;
   std::vector<std::string> sets;
-  std::string view = "360", step = "1.0", name = "office", poses;
+  bench::OfficeScanner scanner;
+  std::string name = "office", poses;
   CLI::App app("Runs the grid SLAM in the simulated office and compares the best path with the true one.");
   app.add_option("--seeds", seeds, "runs; each draws odometry, scans and particles anew")->check(CLI::Range(1, 1000));
-  app.add_option("--view", view, "field of view [deg]"), app.add_option("--step", step, "from beam to beam [deg]");
+  app.add_option("--view", scanner.view, "field of view [deg]"), app.add_option("--step", scanner.step, "from beam to beam [deg]");
+  app.add_flag("--ideal", scanner.ideal, "up to 10 m alone, with a noise of 1 cm and a thin beam");
   app.add_option("--name", name, "of the figures"), app.add_option("--set", sets, "NAME=VALUE of parameters");
   app.add_option("--poses", poses, "writes true and estimated poses to POSES_SEED.txt");
   CLI11_PARSE(app, argc, argv);
@@ -53,7 +55,7 @@ int main(int argc, char** argv) {
     for (const std::string& text : sets) bench::setParam(params, text);
     std::vector<double> errors, cost;
     for (int seed = 1; seed <= seeds; ++seed) {
-      const auto log = bench::officeLog(static_cast<std::uint64_t>(seed), view, step,
+      const auto log = bench::officeLog(static_cast<std::uint64_t>(seed), scanner,
                                         {params.min_range, params.usable_range, params.max_range});
       params.seed = seed;
       core::GridSlam slam(params);

@@ -1,9 +1,12 @@
 #pragma once
 // What every benchmark shares: timing in turns, the median with its interval, and the figure lines.
+#include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,6 +18,19 @@ inline double threadMs() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// [MB] The most that this process has held so far, and what it holds now.
+inline double peakMb() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+inline double residentMb() {
+  std::ifstream in("/proc/self/statm");
+  double size = 0.0, resident = 0.0;
+  in >> size >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
 template <class Job>

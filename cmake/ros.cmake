@@ -6,6 +6,8 @@ find_package(catkin REQUIRED COMPONENTS
 
 file(GLOB messages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/msg msg/*.msg)
 add_message_files(FILES ${messages})
+file(GLOB services CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/srv srv/*.srv)
+add_service_files(FILES ${services})
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 catkin_package(
   INCLUDE_DIRS include

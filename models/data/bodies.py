@@ -1,11 +1,14 @@
 """Bodies of each class, and of none."""
-from data import afloat, ashore
+from data import afloat, ashore, assembled, assembled_afloat
 from data.extras import dress
 from data.thing import Thing
 
 MAKERS = {f.__name__: f for f in (
     afloat.cage, afloat.boat, afloat.buoy, ashore.bollard, ashore.car, ashore.balloon_car, ashore.puppet, ashore.person,
     ashore.box, ashore.cone, ashore.ball, ashore.stool, ashore.chair)}
+ASSEMBLERS = {f.__name__: f for f in (
+    assembled_afloat.boat, assembled_afloat.buoy, assembled.bollard, assembled.box, assembled.stool, assembled.chair)}
+ASSEMBLED = 0.5  # share of the bodies of these classes; none of those held out
 
 # What has no class: parameters from .. to, radius of a circle about it.
 FIXTURES = {
@@ -21,6 +24,10 @@ AS_THEY_ARE = ("tree", "bush", "barrier")
 
 
 def labelled(draw, label):
+    if not draw.held_out and label in ASSEMBLERS and draw.chance(ASSEMBLED):
+        thing = ASSEMBLERS[label](draw)
+        thing.label = label
+        return thing
     thing = MAKERS[label](draw)
     thing.label = label
     return dress(draw, thing)

@@ -64,6 +64,12 @@ def virtual_display(session):
     os.environ.update(DISPLAY=f":{number}", LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
 
 
+def await_rviz(session, launch=None):
+    """Until it has made its displays: a slow machine needs a minute."""
+    shows = lambda: any("/rviz" in nodes for topic, nodes in session.system_state()[1] if "markers" in topic)
+    session.require(shows, 120.0, "RViz did not come up", launch)
+
+
 def take_picture(file):
     file.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run(["import", "-window", "root", str(file)], check=True)
@@ -84,6 +90,8 @@ def main():
                                 f"robot:={robot}", *([] if model else OF_WORLD))
         if not model:
             session.adopt(subprocess.Popen([sys.executable, pathlib.Path(__file__).with_name("truth_image.py")]))
+        if given.picture:
+            await_rviz(session, launch)
         limit = ["--limit", str(given.seconds)] if given.seconds else []
         report = pathlib.Path(__file__).with_name("drive_report.py" if model else "scene_report.py")
         reporter = session.adopt(subprocess.Popen([sys.executable, report, *limit]))

@@ -4,7 +4,7 @@ import pathlib
 import sys
 import time
 
-from demo import take_picture, virtual_display
+from demo import await_rviz, take_picture, virtual_display
 from ros_session import RosSession
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -21,8 +21,7 @@ def main():
             virtual_display(session)
             distance, pitch = VIEWS.get(world, USUAL)
             session.launch("field_fusion", "sim.launch", f"world:={world}", f"distance:={distance}", f"pitch:={pitch}")
-            rviz_runs = lambda: any("/rviz" in nodes for _, nodes in session.system_state()[1])
-            session.require(rviz_runs, 120.0, "RViz did not come up")
+            await_rviz(session)
             drive = session.start("/usr/bin/python3", "-c", f"import rospy; rospy.init_node('drive'); rospy.sleep({DRIVEN})")
             time.sleep(SETTLED)
             session.require(lambda: drive.poll() == 0, 300.0, "simulated time does not pass", drive)

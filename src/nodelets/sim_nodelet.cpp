@@ -16,6 +16,7 @@ class SimNodelet : public StageNodelet<SimNodeParams> {
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
     if (const std::string fault = player_->fault(); !fault.empty())
       status.mergeSummary(diagnostic_msgs::DiagnosticStatus::ERROR, fault);
+    if (player_->finished()) status.mergeSummary(diagnostic_msgs::DiagnosticStatus::OK, "its seconds are over");
     status.add("sim: time [s]", player_->time());
     status.add("sim: simulated over real time", player_->speed());
   }

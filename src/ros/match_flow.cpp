@@ -21,7 +21,7 @@ MatchFlow::MatchFlow(const core::MatchParams& params, const TfCache& tf)
       tf_(tf),
       matcher_(params),
       sync_(params.sync),
-      record_(params.sync),
+      record_(params),
       frame_(params.frame) {}
 
 void MatchFlow::reset() {
@@ -71,8 +71,9 @@ std::optional<MatchFlow::Matched> MatchFlow::next(ros::WallTime now) {
   static const ClusterArray none;
   const auto clusters = clustersIn(*frame);
   const ClusterArray& bodies = clusters ? *clusters : none;
-  out.obstacles =
-      obstacleMessage(header, 1, false, matcher_.run(clustersOf(bodies), pointsOf(bodies), views));
+  const auto& obstacles = matcher_.run(clustersOf(bodies), pointsOf(bodies), views);
+  record_.add(header.stamp.toSec(), obstacles);
+  out.obstacles = obstacleMessage(header, 1, false, obstacles);
   return out;
 }
 

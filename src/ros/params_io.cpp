@@ -91,29 +91,40 @@ std::string typeName(const Rpc& value) {
   }
 }
 
-/// Sets one parameter from the server; returns its fault, or empty.
-std::string loadOne(const ros::NodeHandle& nh, const core::Param& param) {
+/// Sets one parameter from what the server has as `key`, times `factor`; returns its fault, or empty.
+std::string loadOne(const ros::NodeHandle& nh, const core::Param& param, const std::string& key, double factor = 1.0) {
   Rpc received;
-  if (!nh.getParam(param.name, received)) return "";
-  const auto value = converted(received, param.get());
-  if (!value) return param.name + " is a " + typeName(received) + " but must be a " + param.type();
+  if (!nh.getParam(key, received)) return "";
+  auto value = converted(received, param.get());
+  if (!value) return key + " is a " + typeName(received) + " but must be a " + param.type();
+  if (auto* number = std::get_if<double>(&*value)) *number *= factor;
   const auto fault = core::faultOf(param, *value);
   if (fault.empty()) param.set(*value);
   return fault;
 }
 
-std::vector<std::string> unknownKeys(const ros::NodeHandle& nh, const core::Params& params) {
+bool isOther(const std::string& key, const OtherNames& others) {
+  return std::find(others.ignored.begin(), others.ignored.end(), key) != others.ignored.end() ||
+         std::any_of(others.aliases.begin(), others.aliases.end(), [&](const auto& a) { return a.other == key; });
+}
+
+std::vector<std::string> unknownKeys(const ros::NodeHandle& nh, const core::Params& params, const OtherNames& others) {
   std::vector<std::string> keys, unknown;
   nh.getParamNames(keys);
   const auto prefix = nh.getNamespace() + "/";
   for (const auto& key : keys) {
     if (key.rfind(prefix, 0) != 0) continue;
     const auto local = key.substr(prefix.size());
-    if (!params.find(local.substr(0, local.find('/'))) && !isForeign(local))
+    if (!params.find(local.substr(0, local.find('/'))) && !isForeign(local) && !isOther(local, others))
       unknown.push_back(local + " is not a parameter of this stage");
   }
   std::sort(unknown.begin(), unknown.end());
   return unknown;
+}
+
+std::vector<std::string> given(const ros::NodeHandle& nh, std::vector<std::string> names) {
+  names.erase(std::remove_if(names.begin(), names.end(), [&](const auto& n) { return !nh.hasParam(n); }), names.end());
+  return names;
 }
 
 Rpc toRpc(const Value& value) {
@@ -136,13 +147,16 @@ Rpc toRpc(const Value& value) {
 
 }  // namespace
 
-void loadParams(const ros::NodeHandle& nh, const core::Params& params) {
+std::vector<std::string> loadParams(const ros::NodeHandle& nh, const core::Params& params, const OtherNames& others) {
   std::vector<std::string> faults;
-  for (const auto& param : params.list())
-    if (auto fault = loadOne(nh, param); !fault.empty()) faults.push_back(std::move(fault));
+  const auto keep = [&](std::string fault) {
+    if (!fault.empty()) faults.push_back(std::move(fault));
+  };
+  for (const auto& param : params.list()) keep(loadOne(nh, param, param.name));
+  for (const auto& alias : others.aliases) keep(loadOne(nh, *params.find(alias.name), alias.other, alias.factor));
   if (faults.empty()) faults = params.faults();  // rules over several values mean little on half of them
-  for (auto& fault : unknownKeys(nh, params)) faults.push_back(std::move(fault));
-  if (faults.empty()) return;
+  for (auto& fault : unknownKeys(nh, params, others)) faults.push_back(std::move(fault));
+  if (faults.empty()) return given(nh, others.ignored);
   std::string text = nh.getNamespace() + ": ";
   for (std::size_t i = 0; i < faults.size(); ++i) text += (i ? "; " : "") + faults[i];
   throw std::invalid_argument(text);

@@ -37,6 +37,9 @@ void SimPlayer::play() try {
     playOnce(*run_);
     run_.reset();
   } while (params_.loop && !stop_);
+  if (stop_) return;
+  finished_ = true;
+  ROS_INFO("the simulation has ended: its %g s are over; what is latched stays until the node is ended", params_.seconds);
 } catch (const std::exception& e) {
   ROS_ERROR("the simulation has ended: %s", e.what());
   const std::lock_guard<std::mutex> lock(mutex_);

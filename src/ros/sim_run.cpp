@@ -36,8 +36,8 @@ sim::World loaded(const std::string& file, const SimParams& params) {
   return world;
 }
 
-/// Of the first flat scanner, which maps are made by; without one 0.3 m over the robot's foot.
 double sliceHeight(const SimSetup& setup) {
+  if (setup.params.grid_height >= 0.0) return setup.params.grid_height;
   const core::Transform T_world_base = setup.world.robot.way.pose(0.0);
   for (const sim::Mount& mount : setup.world.robot.mounts)
     if (std::string(setup.kindOf(mount).name) == "scanner2d")

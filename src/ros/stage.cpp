@@ -41,6 +41,7 @@ void Stage::stop() {
   // not under the mutex: each of these waits for its callback, which may be waiting for the mutex
   for (auto& timer : timers_) timer.stop();
   reconfigure_.reset();
+  for (auto& service : services_) service.shutdown();
   for (auto& port : outputs_) port.publisher.shutdown();
   for (auto& port : inputs_) port.subscription.reset();
 }
@@ -57,7 +58,8 @@ void Stage::onInit() try {
 void Stage::start() {
   declare(declared_);
   stage_params_.declare(declared_);
-  loadParams(getPrivateNodeHandle(), declared_);
+  for (const auto& name : loadParams(getPrivateNodeHandle(), declared_, others()))
+    NODELET_WARN_STREAM(name << " has no counterpart in this stage: it is ignored");
   tf_ = TfCache::shared();  // listens from now on, so that the first message finds its transform
   onStart();
   reconfigure_ =
@@ -212,6 +214,14 @@ bool Stage::attempt(InputPort& port, const ros::Time& stamp, const std::function
   return true;
 } catch (const std::exception& e) {
   fault(port, stamp, e.what());
+  return false;
+}
+
+bool Stage::serve(const std::string& name, const std::function<void()>& work) try {
+  if (!stopped_) work();
+  return !stopped_;
+} catch (const std::exception& e) {
+  NODELET_ERROR_STREAM(name << ": " << e.what());
   return false;
 }
 

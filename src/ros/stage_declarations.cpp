@@ -8,6 +8,7 @@
 #include "field_fusion/ros/merge_flow.h"
 #include "field_fusion/ros/scan_flow.h"
 #include "field_fusion/ros/sim_params.h"
+#include "field_fusion/ros/slam_params.h"
 #include "field_fusion/ros/stage_params.h"
 
 namespace field_fusion {
@@ -22,7 +23,7 @@ StageDeclaration declaration(const char* name) {
             own.declare(params);
             common.declare(params);
             use(params);
-          }};
+          }, otherNamesOf<P>(0)};
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ const std::vector<StageDeclaration>& stageDeclarations() {
       declaration<FilterStageParams>("filter"),        declaration<GroundStageParams>("ground"),
       declaration<core::ClusterParams>("cluster"),     declaration<core::DetectParams>("detect"),
       declaration<core::MatchParams>("match"),         declaration<MarkersParams>("markers"),
-      declaration<CostmapParams>("costmap"),           declaration<SimNodeParams>("sim"),
+      declaration<CostmapParams>("costmap"),           declaration<SlamStageParams>("grid_slam"),
+      declaration<SimNodeParams>("sim"),
   };
   return all;
 }

@@ -62,10 +62,13 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(CLI::Range(0, 2147483647));
   app.add_option("--mounts", options.sim.mounts, "sensors that take part (default: all)");
-  app.add_flag("--no-truth", options.no_truth, "without truth/...");
+  CLI::Option* no_truth = app.add_flag("--no-truth", options.no_truth, "without truth/...");
   app.add_flag("--depth-metres", options.sim.depth_metres, "depth images also as 32FC1");
   app.add_flag("--depth-points", options.sim.depth_points, "depth images also as clouds");
-  app.add_flag("--labels", options.sim.labels, "which body each pixel of a camera shows");
+  app.add_flag("--labels", options.sim.labels, "which body each pixel of a camera shows")->excludes(no_truth);
+  app.add_option("--grid-height", options.sim.grid_height, "of the slice in truth/grid [m] (default: the 2-D scanner's)")
+      ->check(CLI::Range(0.0, 10000.0))
+      ->excludes(no_truth);
 }
 
 }  // namespace

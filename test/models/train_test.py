@@ -129,6 +129,21 @@ def test_program_refuses_bad_arguments(shapes_folder, tmp_path, arguments, words
     assert done.returncode != 0 and words in done.stderr and "Traceback" not in done.stderr
 
 
+def test_training_begins_with_the_weights_of_another(uninterrupted, shapes_folder, tmp_path):
+    first = uninterrupted.out / "best.pt"
+    begun = training_of(shapes_folder, tmp_path / "second", weights=str(first))
+    for name, value in load(first)[1]["weights"].items():
+        assert torch.equal(begun.network.state_dict()[name], value), name
+        assert torch.equal(begun.average.network.state_dict()[name], value), name
+
+
+def test_weights_of_another_shape_are_refused(uninterrupted, shapes_folder, tmp_path):
+    done = run(shapes_folder, tmp_path / "out", "--weights", str(uninterrupted.out / "best.pt"), "--width", "0.25")
+    assert done.returncode == 1 and "its network and classes" in done.stderr and "Traceback" not in done.stderr
+    done = run(shapes_folder, tmp_path / "out", "--weights", str(tmp_path / "none.pt"))
+    assert done.returncode == 1 and "none.pt" in done.stderr and "Traceback" not in done.stderr
+
+
 def test_checkpoint_of_others_is_refused(tmp_path):
     path = tmp_path / "a.pt"
     for content in (b"", b"not a checkpoint"):

@@ -270,5 +270,28 @@ TEST_F(MatchStage, TwoCamerasEachWithItsClockAnswerForOneLidar) {
       spinUntil([&] { return !diagnostics_.value("match_two", "right: offset to clusters [ms]").empty(); }));
 }
 
+TEST_F(MatchStage, AMovedSensorIsWarnedOf) {
+  ASSERT_TRUE(matches());
+  const auto pairsAt = [this](double aside, int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      now_ += 1.0;
+      detections_.send(detectionsAt(now_, {4.f}));
+      clusters_.send(clustersAt(now_, {{5.0, 0.5 + aside}}));
+      if (!answered()) return false;
+    }
+    return true;
+  };
+  const auto warned = [this] {
+    const auto* status = diagnostics_.of("match");
+    return status && status->message.find("boxes have shifted") != std::string::npos;
+  };
+  ASSERT_TRUE(pairsAt(0.0, 95));
+  const std::string mean = "camera: boxes off clusters, azimuth and elevation [deg]";
+  ASSERT_TRUE(spinUntil([&] { return !diagnostics_.value("match", mean).empty(); }));
+  EXPECT_FALSE(warned());
+  ASSERT_TRUE(pairsAt(0.08, 32));  // nearly 1 deg
+  EXPECT_TRUE(spinUntil(warned));
+}
+
 }  // namespace
 }  // namespace field_fusion::test

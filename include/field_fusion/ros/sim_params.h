@@ -12,6 +12,7 @@ struct SimParams {
   int seed = 1;
   std::vector<std::string> mounts;
   bool truth = true, static_tf = true;
+  double grid_height = -1.0;
   bool depth_metres = false, depth_points = false, labels = false;
 
   void declare(core::Params& p) {
@@ -26,6 +27,9 @@ struct SimParams {
            "Also /tf_static; not needed where robot_state_publisher has the robot's URDF.");
     p.flag("depth_metres", depth_metres, When::kStart, "Depth images also as 32FC1.");
     p.flag("depth_points", depth_points, When::kStart, "Depth images also as clouds.");
+    p.number("grid_height", grid_height, {-1.0, 10000.0}, "m", When::kStart,
+             "Height in the world of the slice in truth/grid; below 0: that of the first 2-D scanner, without one 0.3 m "
+             "over the robot's foot.");
     p.flag("labels", labels, When::kStart, "With truth: which body each pixel of a camera shows.");
   }
 };

@@ -20,6 +20,7 @@ class SimPlayer {
 
   double time() const { return time_; }    ///< [s] simulated since the start
   double speed() const { return speed_; }  ///< simulated over real time in the last second
+  bool finished() const { return finished_; }  ///< its seconds are over
   std::string fault() const;               ///< why it ended early; empty: it did not
 
  private:
@@ -33,7 +34,7 @@ class SimPlayer {
   std::map<std::string, ros::Publisher> publishers_;
   ros::Publisher clock_;
   std::unique_ptr<SimRun> run_;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, finished_{false};
   std::atomic<double> time_{0.0}, speed_{0.0};
   mutable std::mutex mutex_;
   std::string fault_;

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <vector>
 
+#include "field_fusion/ros/other_names.h"
 #include "field_fusion/ros/port.h"
 #include "field_fusion/ros/reconfigure.h"
 #include "field_fusion/ros/stage_params.h"
@@ -45,6 +46,7 @@ class Stage : public nodelet::Nodelet {
   explicit Stage(Listen listen) : listen_(listen) {}
 
   virtual void declare(core::Params& params) = 0;
+  virtual OtherNames others() const = 0;
   virtual void onStart() = 0;   ///< declare outputs, then inputs; throw to refuse to start
   virtual void onParams() {}    ///< live parameters have changed; throw to refuse the change
   virtual void onTimeJump() {}  ///< forget everything that depends on time
@@ -55,15 +57,17 @@ class Stage : public nodelet::Nodelet {
   template <class M>
   using Ready = std::function<bool(const M&)>;
 
-  /// An output on a topic relative to the stage's namespace.
+  /// An output on a topic relative to the stage's namespace, or to its own name after "~". A latched one gives its last
+  /// message to who comes later.
   template <class M>
-  Output<M> output(const std::string& topic) {
+  Output<M> output(const std::string& topic, bool latched = false) {
     const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
       onSubscribersChanged();
     };
     auto& port = outputs_.emplace_back();
     const std::lock_guard<std::mutex> linking(linkMutex());
-    port.publisher = getNodeHandle().template advertise<M>(topic, kQueue, changed, changed);
+    auto& nh = topic[0] == '~' ? getPrivateNodeHandle() : getNodeHandle();
+    port.publisher = nh.template advertise<M>(topic.substr(topic[0] == '~'), kQueue, changed, changed, {}, latched);
     return Output<M>(&port);
   }
 
@@ -90,6 +94,17 @@ class Stage : public nodelet::Nodelet {
 
   /// Counts and logs a fault of an input.
   void fault(InputPort& port, const ros::Time& stamp, const std::string& text);
+
+  /// A service relative to the stage's namespace, handled in turn with the messages. What the handler throws is logged, and
+  /// the call fails.
+  template <class S>
+  void service(const std::string& name, std::function<void(typename S::Request&, typename S::Response&)> handler) {
+    const auto call = [this, name, handler](typename S::Request& request, typename S::Response& response) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return serve(name, [&] { handler(request, response); });
+    };
+    services_.push_back(getNodeHandle().template advertiseService<typename S::Request, typename S::Response>(name, call));
+  }
 
   /// Calls `work` every so often (wall time), in turn with the handlers; what it throws is logged.
   ros::WallTimer every(double seconds, std::function<void()> work);
@@ -158,6 +173,7 @@ class Stage : public nodelet::Nodelet {
   void jump(InputPort& port, const ros::Time& stamp);
   void handle(InputPort& port, const Arrival& arrival);
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);
+  bool serve(const std::string& name, const std::function<void()>& work);
   bool waits(const InputPort& port) const;
   void release();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -173,6 +189,7 @@ class Stage : public nodelet::Nodelet {
   std::shared_ptr<TfCache> tf_;
   std::unique_ptr<Reconfigure> reconfigure_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
+  std::vector<ros::ServiceServer> services_;
   std::vector<ros::WallTimer> timers_;
   ros::WallTimer hold_timer_;
   std::uint64_t time_jumps_ = 0;
@@ -189,6 +206,7 @@ class StageNodelet : public Stage {
 
  private:
   void declare(core::Params& params) final { params_.declare(params); }
+  OtherNames others() const final { return otherNamesOf<P>(0); }
   P params_;
 };
 

@@ -8,6 +8,7 @@
 #include "field_fusion/core/cloud/filter.h"
 #include "field_fusion/core/cloud/ground.h"
 #include "field_fusion/core/detect/yolo_detector.h"
+#include "field_fusion/ros/other_names.h"
 
 namespace field_fusion {
 
@@ -39,6 +40,7 @@ struct StageDeclaration {
   std::string name;
   /// Calls `use` with the stage's parameters, its own first, then those of every stage, at their defaults.
   std::function<void(const std::function<void(const core::Params&)>& use)> withDefaults;
+  OtherNames others;
 };
 
 /// In the order of the data flow.

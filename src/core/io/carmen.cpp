@@ -148,6 +148,14 @@ bool parseStamp(const std::string& text, std::int64_t& stamp_ns) {
   return true;
 }
 
+Scan scanOf(const CarmenScan& scan, double unknown_max_range) {
+  Scan out;
+  out.angle_min = scan.angle_min, out.angle_increment = scan.angle_increment;
+  out.range_max = scan.max_range > 0.0 ? scan.max_range : unknown_max_range;
+  out.ranges = scan.ranges;
+  return out;
+}
+
 CarmenLog readCarmen(const std::filesystem::path& file, bool sensor_stamps) {
   CarmenLog log;
   eachLine(file, [&](const std::string& line) { readLine(line, sensor_stamps, log); });

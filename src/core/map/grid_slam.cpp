@@ -43,20 +43,32 @@ void GridSlam::reset() {
   fresh.map = TileMap(static_cast<float>(params_.occupied));
   particles_.assign(static_cast<std::size_t>(params_.particles), fresh);
   weights_.assign(particles_.size(), 1.0 / params_.particles);
-  best_ = 0, count_ = 0, effective_ = params_.particles, since_ = {};
+  best_ = 0, count_ = 0, effective_ = params_.particles, since_ = {}, start_.reset();
+}
+
+void GridSlam::reset(const TileMap& map, const PosePrior& start) {
+  reset();
+  for (Particle& p : particles_) p.map = map, p.pose = start.mean;
+  start_ = start;
+}
+
+void GridSlam::setLive(const GridSlamParams& params) {
+  params_ = checked(params);
 }
 
 GridSlam::Outcome GridSlam::process(const SlamScan& scan, const Pose2& T_odom_base, std::int64_t stamp_ns) {
   if (!T_odom_base.finite()) throw std::invalid_argument("the odometry's pose is not finite");
   if (count_ == 0) {
     if (scan.hits.empty()) return Outcome::kBlind;
-    last_odom_ = T_odom_base, since_ = {};
-    for (Particle& p : particles_) p.pose = T_odom_base;
-    record(scan, stamp_ns);
-    return Outcome::kProcessed;
+    begin(T_odom_base);
+    if (!start_) {
+      record(scan, stamp_ns);
+      return Outcome::kProcessed;
+    }
+  } else {
+    follow(T_odom_base);
+    if (!due(stamp_ns)) return Outcome::kSkipped;
   }
-  follow(T_odom_base);
-  if (!due(stamp_ns)) return Outcome::kSkipped;
   const bool blind = scan.hits.empty();
   workers_.share(particles_.size(), [&](std::size_t i, int worker) {
     move(particles_[i], i, scan, matchers_[static_cast<std::size_t>(worker)]);
@@ -64,6 +76,12 @@ GridSlam::Outcome GridSlam::process(const SlamScan& scan, const Pose2& T_odom_ba
   if (!blind) weigh();
   record(scan, stamp_ns);
   return blind ? Outcome::kBlind : Outcome::kProcessed;
+}
+
+void GridSlam::begin(const Pose2& T_odom_base) {
+  last_odom_ = T_odom_base, since_ = {};
+  if (!start_)
+    for (Particle& p : particles_) p.pose = T_odom_base;
 }
 
 /// A wheel that spins or a driver that starts anew makes steps that no robot makes.
@@ -85,9 +103,14 @@ bool GridSlam::due(std::int64_t stamp_ns) const {
          (params_.temporal_update >= 0.0 && age > params_.temporal_update);
 }
 
+PosePrior GridSlam::prior(const Particle& p) const {
+  if (start_) return *start_;
+  return {p.pose * since_.step, turned(covariance(since_, params_.motion), p.pose.yaw)};
+}
+
 void GridSlam::move(Particle& p, std::size_t index, const SlamScan& scan, ScanMatcher& matcher) const {
   CounterRandom random(mixed(static_cast<std::uint64_t>(params_.seed) + 1), count_ * particles_.size() + index);
-  const PosePrior prior{p.pose * since_.step, turned(covariance(since_, params_.motion), p.pose.yaw)};
+  const PosePrior prior = this->prior(p);
   if (scan.hits.empty()) {
     p.pose = drawn(prior.mean, prior.covariance, random);
     return;
@@ -131,7 +154,9 @@ void GridSlam::record(const SlamScan& scan, std::int64_t stamp_ns) {
     insertions_[static_cast<std::size_t>(worker)].insert(scan, p.pose, params_.resolution,
                                                          count_ * particles_.size() + i + 1, p.map);
   });
-  ++count_, last_ns_ = stamp_ns, since_ = {};
+  ++count_, last_ns_ = stamp_ns, since_ = {}, start_.reset();
+  if (count_ % static_cast<std::uint64_t>(std::max(1, params_.path_length / 2)) == 0)  // seldom: it walks along the path
+    for (Particle& p : particles_) cutPath(p.path.get(), params_.path_length);
 }
 
 }  // namespace field_fusion::core

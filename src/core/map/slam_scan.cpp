@@ -21,18 +21,15 @@ void addWall(const Eigen::Vector2f& before, ScanHit& hit, const Eigen::Vector2f&
 
 }  // namespace
 
-SlamScan slamScan(const std::vector<float>& ranges, double angle_min, double angle_increment,
-                  const Transform& T_base_sensor, const ScanLimits& limits) {
+SlamScan slamScan(const Scan& scan, const Transform& T_base_sensor, const ScanLimits& limits) {
   SlamScan out;
   out.origin = T_base_sensor.translation().head<2>().cast<float>();
   std::vector<std::size_t> beams;
-  for (std::size_t k = 0; k < ranges.size(); ++k) {
-    const double range = ranges[k];
+  for (std::size_t k = 0; k < scan.ranges.size(); ++k) {
+    const double range = reading(scan, k);
     if (!(range > 0.0 && range >= limits.min_range && range < limits.max_range)) continue;  // NaN too
-    const double angle = angle_min + static_cast<double>(k) * angle_increment;
     const double used = std::min(range, limits.usable_range);
-    const Eigen::Vector3d at(used * std::cos(angle), used * std::sin(angle), 0.0);
-    const Eigen::Vector2f end = (T_base_sensor * at).head<2>().cast<float>();
+    const Eigen::Vector2f end = (T_base_sensor * (used * scan.direction(k))).head<2>().cast<float>();
     if (range > limits.usable_range) {
       out.free.push_back(end);
       continue;

@@ -113,6 +113,7 @@ Verdict OptimalMatcher::verdict(const LidarTarget* body, const CameraTarget* tar
   if (!body || !target) return out;
   out.range_difference = body->cluster.polar.range - target->polar.range;
   out.azimuth_difference = angleDifference(body->cluster.polar.azimuth, target->polar.azimuth);
+  out.elevation_difference = body->cluster.polar.elevation - target->polar.elevation;
   out.distance = std::sqrt(likeness.distance2);
   return out;
 }

@@ -46,6 +46,13 @@ Span heightsOf(const std::vector<Point>& points, const CameraTarget& target, con
   return seen.low < seen.high ? seen : span;
 }
 
+/// [m^2] along the line of sight. No body is quite the cylinder of its class: a return comes from anywhere
+/// between its near side and its middle (a mast, a topmark), and the nearest of n is 1 / (n + 1) of the way.
+Eigen::Matrix2d depthOfNearest(const Eigen::Vector2d& centre, double radius, std::size_t count) {
+  const Eigen::Vector2d depth = radius / (static_cast<double>(count) + 1.0) * centre.normalized();
+  return depth * depth.transpose();
+}
+
 /// Horizontal centre with its covariance, and size.
 Outline upright(const Eigen::Vector2d& centre, const Eigen::Matrix2d& covariance, const Eigen::Vector2d& size,
                 const Span& span, double noise) {
@@ -92,7 +99,8 @@ std::optional<Outline> OutlineFitter::round(const std::vector<Point>& seen, cons
   if (!fit.centre.allFinite()) return std::nullopt;
   const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
   const Eigen::Vector2d size = Eigen::Vector2d::Constant(2.0 * fit.radius);
-  Outline out = upright(fit.centre, fit.covariance, size, span, noise_);
+  const Eigen::Matrix2d covariance = fit.covariance + depthOfNearest(fit.centre, fit.radius, seen.size());
+  Outline out = upright(fit.centre, covariance, size, span, noise_);
   const double away = std::max(0.0, fit.centre.norm() - fit.radius);
   out.face << away * fit.centre.normalized(), std::clamp(0.0, span.low, span.high);
   return out;

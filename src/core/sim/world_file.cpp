@@ -26,6 +26,15 @@ Wave readWave(const Yaml& yaml) {
   return wave;
 }
 
+/// Where the crests of all meet.
+void checkSteepness(const Yaml& yaml, const std::vector<Wave>& waves) {
+  double sum = 0.0;
+  for (const Wave& wave : waves) sum += wave.amplitude / wave.length;
+  if (sum > kBreaks * (1.0 + 1e-9))
+    yaml.fail("break: their amplitudes over their lengths add up to " + shortNumber(sum) +
+              ", which must not be above " + shortNumber(kBreaks));
+}
+
 /// Keys that a kind of ground has beside kind and material.
 std::vector<std::string> keysOf(Ground::Kind kind) {
   switch (kind) {
@@ -63,6 +72,7 @@ Ground readGround(const Yaml& yaml) {
   if (yaml.has("waves"))
     for (const Yaml& wave : yaml["waves"].list()) ground.waves.push_back(readWave(wave));
   if (ground.waves.size() > kMostWaves) yaml["waves"].fail("must not be more than 32");
+  if (!ground.waves.empty()) checkSteepness(yaml["waves"], ground.waves);
   if (yaml.has("material")) readMaterial(yaml["material"], ground.material);
   return ground;
 }
@@ -115,22 +125,22 @@ void checkSees(const World& world, const Mount& mount, const Yaml& yaml) {
     yaml.fail("the sensor " + mount.name + " is inside the robot's own body");
 }
 
-/// Sensors and the middle of the robot's own body, against every other body at the start.
+/// Sensors and the middle of the robot's own body, against every other body.
 void checkRobotIsFree(const World& world, const std::string& sensors, const Yaml& yaml) {
-  const Transform T_world_base = world.robot.way.pose(0);
-  const auto check = [&](const Yaml& at, const std::string& what, const Eigen::Vector3d& place) {
-    for (const Body& body : world.bodies)
-      if (inside(body.model, body.way.pose(0).inverse() * (T_world_base * place), 0))
-        at.fail(what + " is inside the body " + body.name + " at the start");
-  };
-  const bool has_body = !world.robot.model.links.empty();
-  check(yaml, "the robot", has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
   const auto& mounts = world.robot.mounts;
-  for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const Yaml item = yaml["mounts"].list()[i];
-    check(item, "the sensor " + mounts[i].name, mounts[i].T_base_sensor.translation());
-    if (sensorKind(sensors, mounts[i].model).sees) checkSees(world, mounts[i], item);
+  const bool has_body = !world.robot.model.links.empty();
+  std::vector<Eigen::Vector3d> places;
+  for (const Mount& mount : mounts) places.push_back(mount.T_base_sensor.translation());
+  places.push_back(has_body ? world.robot.model.box().center() : Eigen::Vector3d(0, 0, 0.05));
+  if (const auto touch = firstTouch(world, places)) {
+    const bool robot = touch->place == mounts.size();
+    const std::string when = touch->time > 0 ? "after " + shortNumber(touch->time) + " s" : "at the start";
+    (robot ? yaml : yaml["mounts"].list()[touch->place])
+        .fail((robot ? "the robot" : "the sensor " + mounts[touch->place].name) + " is inside the body " +
+              touch->body->name + " " + when);
   }
+  for (std::size_t i = 0; i < mounts.size(); ++i)
+    if (sensorKind(sensors, mounts[i].model).sees) checkSees(world, mounts[i], yaml["mounts"].list()[i]);
 }
 
 }  // namespace

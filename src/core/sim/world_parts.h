@@ -1,5 +1,7 @@
 #pragma once
 // The parts that loadWorld reads a file by.
+#include <optional>
+
 #include "draws.h"
 #include "field_fusion/core/sim/ride.h"
 #include "yaml_reader.h"
@@ -31,6 +33,16 @@ Robot readRobot(const Yaml& yaml, const Ground& ground, const std::string& senso
 
 /// Whether a point [m] in the body's frame lies inside one of its closed parts, at their joints' `time`.
 bool inside(const Model& model, const Eigen::Vector3d& point, double time);
+
+/// A place of the robot that is inside a body.
+struct Touch {
+  std::size_t place;
+  const Body* body;
+  double time;  ///< [s] since the start
+};
+/// The first of `places` [m, base frame] that meets a body on the robot's way or its first lap, looked at every 0.05 s or
+/// at 2000 places of a longer one.
+std::optional<Touch> firstTouch(const World& world, const std::vector<Eigen::Vector3d>& places);
 
 /// The same model elsewhere in its body's frame.
 Model moved(Model model, const Transform& T_body_model);

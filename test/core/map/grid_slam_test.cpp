@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <stdexcept>
 
 #include "room.h"
@@ -107,6 +108,43 @@ TEST(GridSlam, StartsAnew) {
   GridSlamParams bad;
   bad.particles = 0;
   EXPECT_THROW(GridSlam{bad}, std::invalid_argument);
+}
+
+TEST(GridSlam, GoesOnInAMapThatWasThere) {
+  GridSlam first(few());
+  Walk walk;
+  for (int i = 0; i < 10; ++i, walk.step()) first.process(test::roomScan(walk.truth), walk.truth, walk.stamp_ns);
+  GridSlam slam(few());
+  const Eigen::Vector3d variances(0.25, 0.25, 0.03);
+  slam.reset(first.best().map, {walk.truth * Pose2{0.15, -0.1, 0.08}, variances.asDiagonal()});
+  const Pose2 T_map_odom{5.0, 2.0, 1.0};  // its odometry begins somewhere else
+  slam.process(test::roomScan(walk.truth), inverse(T_map_odom) * walk.truth, 1);
+  EXPECT_LT((slam.pose().position() - walk.truth.position()).norm(), 0.03);
+  EXPECT_LT(std::abs(angleDifference(slam.pose().yaw, walk.truth.yaw)), 0.01);
+}
+
+TEST(GridSlam, MemoryFollowsTheAreaNotTheTime) {
+  GridSlamParams params = few();
+  params.particles = 3, params.path_length = 400;
+  GridSlam slam(params);
+  Walk walk;
+  const auto held = [&slam](std::size_t& nodes) {  // tiles and nodes of the path of all particles, shared ones once
+    std::set<const void*> tiles, path;
+    for (const auto& p : slam.particles()) {
+      p.map.forEach([&](TilePlace, const Tile& tile, const NearestField*) { tiles.insert(&tile); });
+      for (const PathNode* n = p.path.get(); n; n = n->before.get()) path.insert(n);
+    }
+    nodes = path.size();
+    return tiles.size();
+  };
+  std::size_t early = 0, late = 0, nodes = 0;
+  for (int i = 0; i < 1600; ++i, walk.step()) {  // some twenty times round
+    slam.process(test::roomScan(walk.truth, 90), walk.odometry, walk.stamp_ns);
+    if (i == 200) early = held(nodes);
+  }
+  late = held(nodes);
+  EXPECT_LE(late, early + early / 4);
+  EXPECT_LE(nodes, 3u * 600u) << "path_length, and half of it until the next cut";
 }
 
 TEST(SlamPath, ForgetsALongPastWithoutRecursion) {

@@ -22,11 +22,12 @@ inline double roomRange(double x, double y, double angle) {
 
 /// All round, a beam a degree.
 inline core::SlamScan roomScan(const core::Pose2& pose, int beams = 360) {
-  std::vector<float> ranges;
+  core::Scan scan;
   const double step = 2.0 * core::radians(180.0) / beams;
+  scan.angle_increment = step, scan.range_max = 100.0;
   for (int k = 0; k < beams; ++k)
-    ranges.push_back(static_cast<float>(roomRange(pose.x, pose.y, pose.yaw + step * k)));
-  return core::slamScan(ranges, 0.0, step, core::Transform::Identity(), {0.0, 40.0, 80.0});
+    scan.ranges.push_back(static_cast<float>(roomRange(pose.x, pose.y, pose.yaw + step * k)));
+  return core::slamScan(scan, core::Transform::Identity(), {0.0, 40.0, 80.0});
 }
 
 }  // namespace field_fusion::test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "field_fusion/core/detect/image_box.h"
 #include "support/bodies.h"
 
@@ -90,6 +92,30 @@ TEST(Outline, ABodyAtTheLidarsHeightIsNearestThere) {
   ASSERT_TRUE(outline);
   EXPECT_NEAR(outline->face.z(), 0.0, 1e-9);
   EXPECT_NEAR(outline->face.norm(), 4.0, 0.02);
+}
+
+// A mast over a float: returns from anywhere between the near side and the middle, as far as the few there are.
+TEST(Outline, FewReturnsOfABodyThatIsNoCylinderLeaveItsDepthOpen) {
+  const double radius = 1.0;
+  std::mt19937 draw(5);
+  std::uniform_real_distribution<double> share(0.0, 1.0), height(-1.0, -0.4);
+  for (const int count : {1, 2, 4, 8}) {
+    int inside = 0;
+    const int trials = 400;
+    for (int i = 0; i < trials; ++i) {
+      std::vector<Point> points(static_cast<std::size_t>(count));
+      for (Point& p : points) {
+        p.x = static_cast<float>(10.0 - radius + radius * share(draw));
+        p.z = static_cast<float>(height(draw));
+      }
+      CameraTarget target;
+      target.label = "cage";
+      const auto outline = fitter().run(points, target, Transform::Identity());
+      ASSERT_TRUE(outline);
+      inside += std::abs(outline->centre.x() - 10.0) < 2.0 * std::sqrt(outline->covariance(0, 0));
+    }
+    EXPECT_GT(inside, 0.9 * trials) << count << " returns";
+  }
 }
 
 TEST(Outline, TheFaceOfABoxIsWhatIsSeen) {

@@ -192,6 +192,14 @@ INSTANTIATE_TEST_SUITE_P(
             "4: robot.mounts[0]: the sensor a is inside the body wall at the start"},
         Fault{"bodies:\n - {name: wall, shape: sphere, pose: [0, 0, -0.3, 0]}\nrobot: {pose: [0, 0]}\n",
               "3: robot: the robot is inside the body wall at the start"},
+        // 1.52 m away: 1 m in 2 s with 0.5 m/s^2, the rest at 1 m/s
+        Fault{"bodies:\n - {name: wall, shape: box, pose: [2.02, 0]}\n"
+              "robot: {motion: {points: [[0, 0], [5, 0]], speed: 1, acceleration: 0.5}}\n",
+              "3: robot: the robot is inside the body wall after 2.55 s"},
+        // a gate comes from 3.98 m aside: after 2 s it is 1.98 m away, after 3 s 0.48 m, and reaches 0.5 m around it
+        Fault{"bodies:\n - {name: gate, shape: box, motion: {points: [[4, 3.98], [4, -0.02]], speed: 2, acceleration: 1}}\n"
+              "robot: {motion: {points: [[0, 0], [10, 0]], speed: 2, acceleration: 1}}\n",
+              "3: robot: the robot is inside the body gate after 3 s"},
         Fault{
             "ground: {kind: rough, half_extent: 20}\nrobot: {motion: {points: [[0, 0], [19, 0], [25, 0]]}}\n",
             "2: robot.motion.points: leaves the ground, which ends 20 m from the origin"},

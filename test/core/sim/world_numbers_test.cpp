@@ -20,6 +20,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"ground: {kind: water, waves: [{amplitude: 50, length: 1}]}\n",
               "1: ground.waves[0].amplitude: 50 breaks: at a length of 1 it must not be above 0.0706"},
         Fault{"ground: {kind: water, waves: [{amplitude: 0.07, length: 1}]}\n", ""},
+        Fault{"ground:\n  kind: water\n  waves: [{amplitude: 0.05, length: 1}, {amplitude: 0.05, length: 1}]\n",
+              "3: ground.waves: break: their amplitudes over their lengths add up to 0.1, which must not be above "
+              "0.0706"},
         Fault{"ground: {kind: water, waves: [{amplitude: 0, length: 1.0e+300}]}\n",
               "1: ground.waves[0].length: 1e+300 is outside [0.01, 10000]"},
         Fault{"ground:\n kind: rough\n half_extent: 1.0e+7\n grain: 0.01\n",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "field_fusion/core/base/pose2.h"
+#include "field_fusion/core/scan/scan.h"
 
 namespace field_fusion::core {
 
@@ -22,6 +23,9 @@ struct CarmenLog {
   std::vector<CarmenScan> scans;         ///< in the order of the file
   std::vector<StampedPose2> odometry;    ///< lines ODOM
 };
+
+/// `unknown_max_range` [m] stands where the log does not say. A range of 0 is one that the log lacks.
+Scan scanOf(const CarmenScan& scan, double unknown_max_range);
 
 /// The stamp is the last number of a line's three words at the end, the logger's, or with `sensor_stamps` the
 /// first, that of who sent it. A RAWLASER1 line takes the pose of the last ODOM line before it. Lines of other

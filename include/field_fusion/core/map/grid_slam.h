@@ -2,6 +2,7 @@
 // Rao-Blackwellised particle filter for maps of the plane (Grisetti, Stachniss, Burgard: Improved Techniques for
 // Grid Mapping with Rao-Blackwellized Particle Filters, 2007).
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "field_fusion/core/base/workers.h"
@@ -34,7 +35,11 @@ class GridSlam {
   /// `T_odom_base` at the scan's stamp. The map's frame is odometry's until the first correction.
   /// Throws std::invalid_argument for a pose that is not finite.
   Outcome process(const SlamScan& scan, const Pose2& T_odom_base, std::int64_t stamp_ns);
+  /// Forgets everything. With `map`, goes on in that map from `start.mean`, which the first scan corrects.
   void reset();
+  void reset(const TileMap& map, const PosePrior& start);
+  /// Takes over what may change while it runs: When::kLive.
+  void setLive(const GridSlamParams& params);
 
   const std::vector<Particle>& particles() const { return particles_; }
   const std::vector<double>& weights() const { return weights_; }  ///< sum to 1
@@ -48,6 +53,8 @@ class GridSlam {
  private:
   bool due(std::int64_t stamp_ns) const;
   void follow(const Pose2& T_odom_base);
+  void begin(const Pose2& T_odom_base);
+  PosePrior prior(const Particle& particle) const;
   void move(Particle& particle, std::size_t index, const SlamScan& scan, ScanMatcher& matcher) const;
   void weigh();
   void resample();
@@ -59,6 +66,7 @@ class GridSlam {
   std::vector<ScanInsertion> insertions_;  // likewise
   std::vector<Particle> particles_;
   std::vector<double> weights_;
+  std::optional<PosePrior> start_;  // in a map that was there before, until the first scan
   std::size_t best_ = 0;
   double effective_ = 0.0;
   Motion since_;      // the last scan that was taken in

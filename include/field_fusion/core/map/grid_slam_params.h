@@ -21,6 +21,7 @@ struct GridSlamParams {
   double resample_threshold = 0.5;
   double occupied = 0.25;
   double max_step = 5.0;
+  int path_length = 100000;
   MotionNoise motion;
   int threads = 0;
   int seed = 1;
@@ -53,6 +54,8 @@ struct GridSlamParams {
              "Share of hits from which a cell is a wall for the matching.");
     p.number("max_step", max_step, {0.1, 1000.0}, "m", When::kLive,
              "A longer step of odometry between two scans is a fault: taken as no step.");
+    p.number("path_length", path_length, {10, 100000000}, "scans", When::kLive,
+             "Of a longer path the beginning is forgotten: memory follows the map's area, not the time.");
     motion.declare(p);
     p.number("threads", threads, {0, 256}, "", When::kStart, "Threads, the caller's too; 0: as many as cores.");
     p.number("seed", seed, {0, 2147483647}, "", When::kStart, "Of all random draws.");

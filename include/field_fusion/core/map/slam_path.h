@@ -24,6 +24,12 @@ struct PathNode : boost::intrusive_ref_counter<PathNode> {
   Pointer before;
 };
 
+/// Forgets what lies more than `length` nodes before `last`, for all whose path goes through there.
+inline void cutPath(PathNode* last, int length) {
+  for (; last && length > 1; --length) last = last->before.get();
+  if (last) last->before.reset();
+}
+
 /// From the first to `last`.
 inline std::vector<StampedPose2> pathTo(const PathNode* last) {
   std::vector<StampedPose2> out;

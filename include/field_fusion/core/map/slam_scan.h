@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "field_fusion/core/base/types.h"
+#include "field_fusion/core/scan/scan.h"
 
 namespace field_fusion::core {
 
@@ -25,10 +25,8 @@ struct ScanLimits {
   double max_range = 30.0;    ///< [m] ranges from here on say nothing
 };
 
-/// Beam k points to angle_min + k * angle_increment [rad], counter-clockwise about z of a sensor mounted in any
-/// way; only the parts of its beams in the robot's x-y plane are used. Ranges that are not finite, negative or
-/// outside the limits are left out.
-SlamScan slamScan(const std::vector<float>& ranges, double angle_min, double angle_increment,
-                  const Transform& T_base_sensor, const ScanLimits& limits);
+/// Of a sensor mounted in any way: only the parts of its beams in the robot's x-y plane are used. A beam that saw
+/// nothing says nothing either, because many a scanner sees no dark wall: its way is not called free.
+SlamScan slamScan(const Scan& scan, const Transform& T_base_sensor, const ScanLimits& limits);
 
 }  // namespace field_fusion::core

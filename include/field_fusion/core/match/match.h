@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "field_fusion/core/base/params.h"
+#include "field_fusion/core/match/alignment.h"
 #include "field_fusion/core/match/join.h"
 #include "field_fusion/core/match/obstacle.h"
 #include "field_fusion/core/match/optimal.h"
@@ -23,6 +24,7 @@ struct MatchParams {
   ShapeParams shape;
   ToleranceParams tolerance;
   ObstacleParams obstacle;
+  AlignmentParams alignment;
   SyncParams sync;
   std::string frame;
 
@@ -36,6 +38,7 @@ struct MatchParams {
     shape.declare(p);
     tolerance.declare(p);
     obstacle.declare(p);
+    alignment.declare(p);
     sync.declare(p);
     p.text("frame", frame, When::kStart,
            "Frame of obstacles that the cameras alone see before any cluster has come; then that of the "

@@ -32,8 +32,8 @@ class OutlineFitter {
   /// `noise` [m]: standard deviation of a range.
   void setParams(const ShapeParams& params, double noise);
 
-  /// Nothing where the size of the class is not known, and for a round body that is larger than its class. `seen`: the points of the body, at least one; their
-  /// order is changed.
+  /// Nothing where the size of the class is not known, and for a round body that is larger than its class.
+  /// `seen`: the points of the body, at least one; their order is changed.
   std::optional<Outline> run(std::vector<Point>& seen, const CameraTarget& target,
                              const Transform& T_view_lidar);
 

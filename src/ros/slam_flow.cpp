@@ -1,0 +1,100 @@
+#include "field_fusion/ros/slam_flow.h"
+
+#include <boost/make_shared.hpp>
+
+#include "field_fusion/core/map/particle_weights.h"
+#include "field_fusion/ros/recording.h"
+#include "field_fusion/ros/scan_message.h"
+
+namespace field_fusion {
+namespace {
+
+core::Pose2 flat(const core::Transform& T) {
+  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
+}
+
+core::Transform solid(const core::Pose2& pose) {
+  return Eigen::Translation3d(pose.x, pose.y, 0.0) * Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ());
+}
+
+core::ScanLimits limitsOf(const core::GridSlamParams& p) { return {p.min_range, p.usable_range, p.max_range}; }
+
+}  // namespace
+
+void SlamFlow::setParams(const SlamStageParams& params) {
+  params_ = params;
+  if (slam_) return slam_->setLive(params.slam);
+  slam_ = std::make_unique<core::GridSlam>(params.slam);
+  broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
+  drawer_ = core::OccupancyDrawer(params.slam.resolution);
+  if (!params.map_file.empty())
+    loaded_ = core::tileMapOf(core::readMap(params.map_file), params.slam.resolution,
+                              static_cast<float>(params.slam.occupied));
+  reset();
+}
+
+void SlamFlow::reset() {
+  params_.map_file.empty() ? slam_->reset() : slam_->reset(loaded_, params_.start());
+  drawer_.reset(), local_.clear();
+  header_ = {}, drawn_ = {};
+  header_.frame_id = params_.map_frame;
+}
+
+bool SlamFlow::ready(const std_msgs::Header& header, const TfCache& tf) const {
+  return tf.has(params_.base_frame, header) && tf.has(params_.odom_frame, params_.base_frame, header.stamp);
+}
+
+SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCache& tf) {
+  const core::Transform T_base_sensor = tf.lookup(params_.base_frame, message.header);
+  const core::Pose2 T_odom_base = flat(tf.lookup(params_.odom_frame, params_.base_frame, message.header.stamp));
+  const core::SlamScan scan = core::slamScan(scanOf(message), T_base_sensor, limitsOf(params_.slam));
+  using Outcome = core::GridSlam::Outcome;
+  const Outcome outcome =
+      slam_->process(scan, T_odom_base, static_cast<std::int64_t>(message.header.stamp.toNSec()));
+  header_.stamp = message.header.stamp;
+  if (outcome == Outcome::kBlind) ++blind_;
+  if (outcome != Outcome::kProcessed && !slam_->best().path) return {};
+  sendTransform(T_odom_base);
+  if (outcome == Outcome::kSkipped) return {};
+  local_.add(scan, slam_->best().path.get(), params_.local_way);
+  if (outcome == Outcome::kBlind) return {};
+  ++taken_;
+  const bool due = drawn_.isZero() || (header_.stamp - drawn_).toSec() >= params_.map_update_interval;
+  if (due) drawn_ = header_.stamp;
+  return {true, due};
+}
+
+void SlamFlow::sendTransform(const core::Pose2& T_odom_base) {
+  if (!params_.publish_tf) return;
+  const core::Pose2 T_map_odom = slam_->pose() * core::inverse(T_odom_base);
+  broadcaster_->sendTransform(transformMessage(header_.stamp + ros::Duration(params_.tf_delay), params_.map_frame,
+                                               params_.odom_frame, solid(T_map_odom)));
+}
+
+boost::shared_ptr<nav_msgs::OccupancyGrid> SlamFlow::localMap() {
+  return gridMessage(header_, local_.draw(slam_->best().path.get(), params_.slam.resolution, params_.local_size));
+}
+
+void SlamFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) try {
+  core::writeMap(request.file, drawer_.update(slam_->best().map));
+  answer.success = true;
+} catch (const std::runtime_error& e) {
+  answer.message = e.what();
+}
+
+boost::shared_ptr<std_msgs::Float64> SlamFlow::entropy() const {
+  const auto out = boost::make_shared<std_msgs::Float64>();
+  out->data = core::entropy(slam_->weights());
+  return out;
+}
+
+void SlamFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (slam_->odometryJumps() > 0) status.mergeSummary(DiagnosticStatus::WARN, "odometry has jumped");
+  status.add("scans taken into the map", taken_);
+  status.add("scans without any return", blind_);
+  status.add("jumps of the odometry", slam_->odometryJumps());
+  status.add("particles that count (N_eff)", slam_->effective());
+}
+
+}  // namespace field_fusion
