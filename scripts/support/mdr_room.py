@@ -12,7 +12,7 @@ import walk_bag
 
 RATES = (60, 180)  # deg/s, of the turns
 TURNING = 0.9  # of the rate: scans that count, and begin and end so
-PART_SECONDS, QUICK_SECONDS = 2.0, 8.0  # of which one interval of a figure resamples; of a walk
+PART_SECONDS, QUICK_SECONDS = 2.0, 6.0  # of which one interval of a figure resamples; of a walk
 COLUMNS = ["case", "seed", "scans", "points", "rms_m", "range_noise_rms_m", "passed_on_raw"]
 ROOM = point_error.Room(mdr_worlds.WALLS)
 
