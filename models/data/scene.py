@@ -3,6 +3,8 @@ import math
 
 SMALLEST = 12  # px that a body is high or wide where it is put
 FARTHEST = 60.0  # m
+WALK = 8.0  # s
+PASSING = 1.0  # m from the robot's way
 
 
 class Scene:
@@ -23,15 +25,22 @@ class Scene:
     def take(self, circles):
         self.circles += circles
 
+    def walks_into_robot(self, x, y, yaw, length):
+        places = [(x + length * i / 20 * math.cos(yaw), y + length * i / 20 * math.sin(yaw)) for i in range(21)]
+        return any(math.hypot(px - rx, py - ry) < PASSING for px, py in places for rx, ry in self.along_way())
+
     def add(self, thing, x, y, z, yaw, **more):
-        """People who walk set out from there."""
+        """People who walk set out from there; who would walk into the robot stand."""
         x, y = round(x, 3), round(y, 3)
+        params = thing.keys.get("params", {})
+        if params.get("speed") and self.walks_into_robot(x, y, yaw, WALK * params["speed"]):
+            params["speed"] = 0
         keys = {"name": f"{thing.label or thing.keys['shape']}_{len(self.bodies)}", **thing.keys, **more}
         if thing.label:
             keys["label"] = thing.label
-        speed = thing.keys.get("params", {}).get("speed", 0)
+        speed = params.get("speed", 0)
         if speed:
-            end = [round(x + 8 * speed * math.cos(yaw), 3), round(y + 8 * speed * math.sin(yaw), 3), z]
+            end = [round(x + WALK * speed * math.cos(yaw), 3), round(y + WALK * speed * math.sin(yaw), 3), z]
             keys["motion"] = {"points": [{"at": [x, y, z]}, {"at": end}], "speed": speed}
         else:
             keys["pose"] = [x, y, z, round(math.degrees(yaw), 1)]

@@ -13,11 +13,11 @@ LISTENING = 0.5  # s of wall time: nobody says when he has heard of a new transf
 class LockStep:
     """Publishes on `topics` {topic: type} and waits in each frame for a message on each of `answers`
     {topic: type}; of obstacles for the last revision. `static`: the transforms at the start. `listeners` {topic: how many}
-    where there is more than one. Needs an initialised node."""
+    where there is more than one. `burst`: how many messages may go out at once on a topic. Needs an initialised node."""
 
-    def __init__(self, topics, static, answers, listeners=None):
+    def __init__(self, topics, static, answers, listeners=None, burst=10):
         self.listeners = listeners or {}
-        self.publishers = {topic: rospy.Publisher(topic, kind, queue_size=10) for topic, kind in topics.items()}
+        self.publishers = {topic: rospy.Publisher(topic, kind, queue_size=burst) for topic, kind in topics.items()}
         self.static = rospy.Publisher("/tf_static", type(static), queue_size=1, latch=True)
         self.static.publish(static)
         self.changed = threading.Condition()

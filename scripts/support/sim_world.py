@@ -6,12 +6,18 @@ import yaml
 import stage_run
 
 # What makes a sensor's measurements wrong, by its kind (config/sensors/): noise and offsets.
+RANGING = ("range_noise", "range_noise_square", "range_noise_weak", "slant_noise", "range_bias", "range_scale", "angle_noise")
 ERRORS = {
-    "lidar3d": ("range_noise", "range_noise_square", "range_noise_weak", "slant_noise", "range_bias", "range_scale",
-                "angle_noise"),
+    "lidar3d": RANGING,
+    "scanner2d": RANGING,
     "camera": ("read_noise",),
+    "imu": ("gyro_noise", "gyro_bias", "gyro_walk", "accel_noise", "accel_bias", "accel_walk"),
+    "leg_odometry": ("scale_error", "yaw_drift", "distance_noise", "yaw_noise", "slip", "slip_yaw", "vibration"),
 }
-LIMITS = {"slant_noise": 1.0, "range_scale": 0.1, "range_noise_weak": 1.0, "range_bias": 1.0, "angle_noise": 5.0}
+LIMITS = {  # what the sensors take at most
+    "slant_noise": 1.0, "range_scale": 0.1, "range_noise_weak": 1.0, "range_bias": 1.0, "angle_noise": 5.0,
+    "gyro_noise": 10.0, "gyro_bias": 50.0, "gyro_walk": 1.0, "accel_bias": 1000.0, "accel_walk": 100.0,
+    "scale_error": 50.0, "yaw_drift": 50.0, "distance_noise": 1.0, "yaw_noise": 90.0, "slip": 1.0, "slip_yaw": 90.0, "vibration": 100.0}
 
 MOUNT_ERROR, CLOCK_ERROR = {"angle_deg": 0.2, "place": 0.005}, 0.002  # of a mount that says nothing: deg, m, s
 # What a user of the robot knows of the bodies of a world, {stage: {parameter: value}}; its cages have 4 and 5 m.

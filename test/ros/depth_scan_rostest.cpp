@@ -60,7 +60,7 @@ class DepthScanStage : public testing::Test {
     return out.last && out.last->header.stamp == ros::Time(now_);
   }
   bool works() {
-    return askUntil([this] { return came(out_) && frames_.knows(now_, "odom", "scan_plane"); },
+    return askUntil([this] { return came(out_) && frames_.knows(now_, "odom", "depth_plane"); },
                     [this] { next(), image_.send(millimetres()); });
   }
   static float ahead(const sensor_msgs::LaserScan& scan) {
@@ -82,10 +82,10 @@ class DepthScanStage : public testing::Test {
 
 TEST_F(DepthScanStage, WallStandsWhereItIsInALevelPlaneOverTheGround) {
   ASSERT_TRUE(works());
-  EXPECT_EQ(out_.last->header.frame_id, "scan_plane");
+  EXPECT_EQ(out_.last->header.frame_id, "depth_plane");
   EXPECT_NEAR(ahead(*out_.last), 3.0, 0.01);
   EXPECT_TRUE(std::isnan(out_.last->ranges[0])) << "nobody looked behind";
-  const auto T_odom_plane = frames_.at(now_, "odom", "scan_plane");
+  const auto T_odom_plane = frames_.at(now_, "odom", "depth_plane");
   EXPECT_TRUE(T_odom_plane.linear().col(2).isApprox(Eigen::Vector3d::UnitZ(), 1e-6));
   EXPECT_NEAR(T_odom_plane.translation().z(), 0.1, 1e-6);
 }

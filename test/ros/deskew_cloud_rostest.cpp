@@ -85,6 +85,23 @@ TEST_F(DeskewCloudStage, WithoutOdometryItComesRawWithItsTimes) {
   EXPECT_TRUE(works());
 }
 
+TEST_F(DeskewCloudStage, GapsDamagedPosesAndTwoCloudsOfOneStampAreNamed) {
+  ASSERT_TRUE(works());
+  const auto sent = cloudAt(now_ += 5.0);
+  sendOdometry(now_ + 0.2, now_ + 0.4);
+  auto nan = odometryAt(turning_, now_ + 0.41);
+  nan.pose.pose.orientation.w = NAN;
+  odom_.send(nan);
+  in_.send(sent);
+  in_.send(sent);
+  ASSERT_TRUE(came(sent));
+  EXPECT_EQ(out_.last->points[100].time, sent.points[100].time);
+  for (const std::string key : {"clouds passed on raw, its motion has a gap above max_gap",
+                                "odom: dropped, pose damaged", "points: dropped, stamp out of order"})
+    EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("deskew_cloud", key).empty(); })) << key;
+  EXPECT_TRUE(works());
+}
+
 TEST_F(DeskewCloudStage, EmptyCloudAndABagThatLoops) {
   ASSERT_TRUE(works());
   CloudMessage empty;

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "field_fusion/ros/stage_declarations.h"
 
@@ -20,6 +21,18 @@ TEST(ParameterFiles, CommittedOnesAreWhatTheDeclarationsSay) {
   for (const auto& file : parameterFiles())
     EXPECT_EQ(contentsOf(PROJECT_DIR "/" + file.path), file.text)
         << file.path << " is stale: run rosrun field_fusion write_params";
+}
+
+TEST(ParameterFiles, NoTwoStagesSendOneFrame) {
+  std::set<std::string> frames;
+  int stages = 0;
+  for (const auto& stage : stageDeclarations()) {
+    const auto yaml = YAML::LoadFile(PROJECT_DIR "/config/" + stage.name + ".yaml");
+    if (!yaml["plane_frame"]) continue;
+    ++stages;
+    EXPECT_TRUE(frames.insert(yaml["plane_frame"].as<std::string>()).second) << stage.name;
+  }
+  EXPECT_GE(stages, 2);
 }
 
 TEST(ParameterFiles, YamlReadsEveryDefaultInItsDeclaredType) {

@@ -1,4 +1,5 @@
-"""reproduce: a short form of the USV experiment, and what is said to those who ask for what there is not."""
+"""reproduce: short forms of the experiments, and what is said to those who ask for what there is not."""
+import csv
 import re
 import sys
 
@@ -7,9 +8,9 @@ import pytest
 from conftest import ROOT, rosrun
 
 
-def reproduced(*arguments):
+def reproduced(*arguments, name="usv"):
     """{figure: (value, unit)}, what was printed."""
-    done = rosrun("reproduce", "usv", "--detections", "truth", *arguments)
+    done = rosrun("reproduce", name, *(("--detections", "truth") if name == "usv" else ()), *arguments)
     assert done.returncode == 0, done.stdout + done.stderr
     lines = re.findall(r"^figure (\S+) (\S+) (\S+) n=\d+ ci=\[\S+,\S+\]$", done.stdout, re.M)
     assert len(lines) == len(re.findall("^figure", done.stdout, re.M))
@@ -67,6 +68,38 @@ def test_black_buoys_are_found_farther_with_a_box_than_without():
     assert re.search(r"^5-10m +[0-9.]+ +1\.00", said, re.M)
 
 
+WALK = ("--quick", "--parts", "walk", "rotation", "--methods", "mdr", "--seeds", "1")
+
+
+@pytest.fixture(scope="module")
+def walked(tmp_path_factory):
+    out = tmp_path_factory.mktemp("reproduce_mdr") / "out"
+    return *reproduced(*WALK, "--out", out, name="quadruped-mdr"), out
+
+
+def off_the_walls(out):
+    """{case/kind: (points, RMS [m], that of the range alone)}."""
+    with open(out / "mdr_room.csv") as file:
+        return {row["case"]: (int(row["points"]), float(row["rms_m"]), float(row["range_noise_rms_m"])) for row in csv.DictReader(file)}
+
+
+def test_odometry_leaves_hardly_more_of_a_walk_and_of_a_turn_than_the_scanners_noise(walked):
+    figures, said, out = walked
+    rms = off_the_walls(out)
+    assert figures["quadruped/walk/residual_rms"] == (pytest.approx(rms["walk/mdr"][1], abs=1e-3), "m")
+    points, after, noise = rms["walk/mdr"]
+    assert points > 50000 and after <= noise + 0.01 and rms["walk/raw"][1] > 2 * after
+    for rate in (60, 180):
+        assert rms[f"rotation_{rate}/mdr"][1] < rms[f"rotation_{rate}/raw"][1] / 3
+    assert (out / "mdr_scans.png").stat().st_size > 1000
+    assert re.search(r"^walk +0\.", said, re.M)
+
+
+def test_a_worse_odometry_leaves_more_of_the_walk(walked):
+    worse, _ = reproduced(*WALK[:2], "walk", *WALK[4:], "--degrade", "odom=10x", name="quadruped-mdr")
+    assert worse["quadruped/walk/residual_rms"] > walked[0]["quadruped/walk/residual_rms"]
+
+
 @pytest.fixture
 def untrained(tmp_path, monkeypatch):
     """A detector that has learnt nothing takes as long as another."""
@@ -97,6 +130,7 @@ BAD = {  # what is asked for: what is said
     ("usv", "--degrade", "lidar"): "lidar is not SENSOR=FACTORx",
     ("usv", "--detections", "truth", "--places", "0900"): "no such place: 0900",
     ("usv", "--detections", "truth", "--parts", "latency"): "the part latency needs a detector",
+    ("quadruped-mdr", "--methods", "vicp"): "--methods must name mdr",
     ("usv", "--detections", "truth", "--model", "x.onnx"): "--model and --detections truth exclude one another",
     ("usv", "--model", "/nowhere/x.onnx"): "no such model: /nowhere/x.onnx",
     ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"):

@@ -14,7 +14,7 @@ struct DepthScanStageParams {
   enum class Source { kImage, kPoints };
   Source source = Source::kImage;
   core::DepthScanParams scan;
-  LevelParams level;
+  LevelParams level{"depth_plane"};
 
   void declare(core::Params& p) {
     p.choice("source", source, {"image", "points"}, core::When::kStart,

@@ -11,9 +11,12 @@
 namespace field_fusion {
 
 struct LevelParams {
+  /// Each stage has a plane of its own: two that send one frame with the same stamp are at odds.
+  explicit LevelParams(std::string plane) : plane_frame(std::move(plane)) {}
+
   std::string base_frame = "base";
   std::string up_frame;
-  std::string plane_frame = "scan_plane";
+  std::string plane_frame;
   double base_height = 0.0;
   double plane_height = 0.1;
 
@@ -49,7 +52,7 @@ class LevelFrame {
   std_msgs::Header header(const ros::Time& stamp) const;
 
  private:
-  LevelParams params_;
+  LevelParams params_{""};
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
 };
 

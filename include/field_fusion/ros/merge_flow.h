@@ -15,7 +15,7 @@ struct ScanMergeParams {
   double max_age = 0.2;
   double silence = 0.5;
   core::MergeParams merge;
-  LevelParams level;
+  LevelParams level{"scan_plane"};
 
   void declare(core::Params& p) {
     p.texts("scans", scans, core::When::kStart,

@@ -95,7 +95,7 @@ MatchReason ToleranceMatcher::reasonAgainst(const Pair& best) {
 Verdict ToleranceMatcher::verdict(const Pair& pair, MatchReason reason, int partner) {
   const bool compared = pair.rank == Rank::kWithin || pair.rank == Rank::kOutside;
   const double distance = compared ? std::sqrt(pair.range_term + pair.azimuth_term) : double(kNaN);
-  return {partner, reason, pair.range_difference, pair.azimuth_difference, kNaN, distance};
+  return {partner, reason, pair.range_difference, pair.azimuth_difference, distance};
 }
 
 }  // namespace field_fusion::core

@@ -11,7 +11,9 @@ double signedStep(const Scanner2dParams& params) {
 
 double firstAngle(const Scanner2dParams& params) { return -0.5 * params.steps() * signedStep(params); }
 
-double beamTime(const Scanner2dParams& params) { return params.angle_step / 360.0 / params.rate; }
+double beamTime(const Scanner2dParams& params) {
+  return params.at_once ? 0.0 : params.angle_step / 360.0 / params.rate;
+}
 
 BeamGrid gridOf(const Scanner2dParams& params) {
   BeamGrid grid;

@@ -52,6 +52,19 @@ TEST(Scanner2d, OfAFullTurnDoesNotRepeatItsFirstBeam) {
   EXPECT_FLOAT_EQ(scan.angle_max, static_cast<float>(radians(180.0 - 0.225)));
 }
 
+TEST(Scanner2d, AtOnceSeesWhileItTurnsWhatItSeesStanding) {
+  const World world = oneWall();
+  Caster caster(world);
+  Scanner2dParams p = perfect();
+  p.at_once = true;
+  const auto turning = test::turning(3.0);
+  const Scan2d turned = Scanner2d(p, 1).scan(caster, turning, 0.0);
+  EXPECT_EQ(turned.time_increment, 0.f);
+  EXPECT_FLOAT_EQ(turned.scan_time, 0.02f);
+  EXPECT_EQ(turned.ranges, Scanner2d(p, 1).scan(caster, test::standing(), 0.0).ranges);
+  EXPECT_NE(turned.ranges, Scanner2d(perfect(), 1).scan(caster, turning, 0.0).ranges);
+}
+
 TEST(Scanner2d, StandingMeasuresAWallExactly) {
   const World world = oneWall();
   Caster caster(world);

@@ -27,10 +27,10 @@ struct Verdict {
   MatchReason reason = MatchReason::kNoCandidate;
   double range_difference = kNaN;    ///< [m]
   double azimuth_difference = kNaN;  ///< [rad]
-  double elevation_difference = kNaN;  ///< [rad]
   /// To the same target: in standard deviations (Mahalanobis), or in tolerances; NaN where nothing was
   /// comparable.
   double distance = kNaN;
+  double elevation_difference = kNaN;  ///< [rad] optimal method only
 };
 
 struct Verdicts {

@@ -9,6 +9,7 @@ struct Scanner2dParams {
   double field_of_view = 270.0;
   double angle_step = 0.5;
   bool clockwise = false;
+  bool at_once = false;
   LidarParams beam;
 
   void declare(Params& p) {
@@ -17,6 +18,8 @@ struct Scanner2dParams {
              "Sector that is scanned, half to each side of forward.");
     p.number("angle_step", angle_step, {0.01, 10.0}, "deg", When::kStart, "From beam to beam.");
     p.flag("clockwise", clockwise, When::kStart, "Seen from above; the angles of a scan then fall.");
+    p.flag("at_once", at_once, When::kStart,
+           "All beams leave at the stamp: an ideal to compare with, whose scans no motion bends.");
     beam.declare(p);
     p.rule([this] { return wholeSteps(); }, "field_of_view must be a whole number of angle_step");
   }
