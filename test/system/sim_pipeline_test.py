@@ -65,7 +65,7 @@ def answers(bag, folder, truth):
     with RosSession() as session:
         stages = session.launch("field_fusion", "usv.launch", "rviz:=false", "points:=lidar/points")
         player = session.start(sys.executable, "-c", PLAYER, str(bag), str(out), truth)
-        session.require(lambda: player.poll() is not None, 120, "the player did not end", stages)
+        session.require(lambda: player.poll() is not None, 300, "the player did not end", stages)
         assert player.returncode == 0, (session.folder / "3_python3.log").read_text()
         listeners = [entry for entry in session.system_state()[1] if "truth" in entry[0]]
     return out.read_text().splitlines(), listeners
