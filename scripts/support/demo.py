@@ -64,10 +64,10 @@ def virtual_display(session):
     os.environ.update(DISPLAY=f":{number}", LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
 
 
-def await_rviz(session, launch=None):
+def await_rviz(session, *needed):
     """Until it has made its displays: a slow machine needs a minute."""
     shows = lambda: any("/rviz" in nodes for topic, nodes in session.system_state()[1] if "markers" in topic)
-    session.require(shows, 120.0, "RViz did not come up", launch)
+    session.require(shows, 120.0, "RViz did not come up", *needed)
 
 
 def take_picture(file):
