@@ -14,10 +14,6 @@ struct OfficeLog {
   double way = 0.0;                ///< [m]
 };
 
-inline core::Pose2 flat(const core::Transform& T) {
-  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
-}
-
 inline core::Scan scanOf(const core::sim::Scan2d& from) {
   core::Scan out;
   out.angle_min = from.angle_min, out.angle_increment = from.angle_increment;
@@ -61,9 +57,9 @@ inline OfficeLog officeLog(std::uint64_t seed, const OfficeScanner& seen_with, c
     while (odometry.time < time - 1e-9) odometry = wheels.next();
     const core::Transform T_world_sensor = way.pose(time) * T_base_sensor;
     const core::Scan scan = scanOf(scanner.scan(caster, [&](double) { return T_world_sensor; }, time));
-    out.scans.push_back({static_cast<std::int64_t>(1e9 * time), core::slamScan(scan, T_nominal, limits), flat(odometry.T_odom_base)});
+    out.scans.push_back({static_cast<std::int64_t>(1e9 * time), core::slamScan(scan, T_nominal, limits), core::flat(odometry.T_odom_base)});
     out.raw.push_back(scan);
-    out.truth.push_back(flat(way.pose(time)));
+    out.truth.push_back(core::flat(way.pose(time)));
     if (k > 0) out.way += core::between(out.truth[k - 1], out.truth[k]).position().norm();
   }
   return out;

@@ -108,8 +108,7 @@ def ball(draw):
 
 
 def seat_paint(draw, *roles):
-    colour = draw.colour()
-    return {role: draw.material(draw.like(colour) if draw.chance(0.5) else None, (0.03, 0.15), 0.6, (0, 0.2)) for role in roles}
+    return dict(zip(roles, draw.alike(len(roles), (0.03, 0.15), (0, 0.2))))
 
 
 def stool(draw):

@@ -9,10 +9,8 @@ def thing_of(assembly, radius, extent):
     return Thing({"parts": assembly.parts}, radius, extent)
 
 
-def paints(draw, count, size=(0.03, 0.3)):
-    """Of one body: more often than not alike."""
-    colour = draw.colour()
-    return [draw.material(draw.like(colour) if draw.chance(0.5) else None, size, 0.6, (0, 0.25)) for _ in range(count)]
+def paints(draw, count, size):
+    return draw.alike(count, size, (0, 0.25))
 
 
 def legs(assembly, length, width, height, paint):

@@ -44,6 +44,11 @@ class Draw(random.Random):
         factor = self.uniform(1 - share, 1 + share)
         return [round(min(1.0, max(0.0, c * factor * self.uniform(1 - share / 3, 1 + share / 3))), 4) for c in colour]
 
+    def alike(self, count, size, gloss):
+        """Materials of one body's parts, more often than not of about one colour."""
+        colour = self.colour()
+        return [self.material(self.like(colour) if self.chance(0.5) else None, size, 0.6, gloss) for _ in range(count)]
+
     def material(self, colour=None, size=(0.05, 0.6), plain=0.5, gloss=None, wear=0.6):
         """One colour or a pattern of two, more or less dirty."""
         colour = colour or self.colour()

@@ -3,6 +3,8 @@ import math
 
 import numpy
 
+import poses
+
 
 def places(walk):
     """T_map_scan at the stamp of each scan; the map begins as the world does. Steps, roll and pitch are the odometry's, the
@@ -11,17 +13,13 @@ def places(walk):
     for scan in walk.scans:
         T_odom_base = walk.odometry.at(scan.message.header.stamp.to_sec())
         T_world_base = walk.truth.at(scan.begin)
-        right = _turn(_yaw(T_world_base) - _yaw(T_odom_base))
+        right = _turn(poses.yaw(T_world_base) - poses.yaw(T_odom_base))
         at = T_world_base[:3, 3] if at is None else at + right @ (T_odom_base[:3, 3] - last)
         last = T_odom_base[:3, 3]
         T_map_base = numpy.eye(4)
         T_map_base[:3, :3], T_map_base[:3, 3] = right @ T_odom_base[:3, :3], at
         out.append(T_map_base @ walk.T_base_scan)
     return out
-
-
-def _yaw(T):
-    return math.atan2(T[1, 0], T[0, 0])
 
 
 def _turn(yaw):

@@ -61,7 +61,7 @@ def rotation_cases():
 def _turn_rate(walk, time, span=0.04):
     """[deg/s]"""
     step = numpy.linalg.inv(walk.truth.at(time - span / 2)) @ walk.truth.at(time + span / 2)
-    return abs(math.degrees(math.atan2(step[1, 0], step[0, 0]))) / span
+    return abs(math.degrees(poses.yaw(step))) / span
 
 
 def _scored(case, seed, walk, answers, counts):

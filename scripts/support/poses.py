@@ -40,6 +40,11 @@ def apply(T, points):
     return points @ T[:3, :3].T + T[:3, 3]
 
 
+def yaw(T):
+    """[rad]"""
+    return math.atan2(T[1, 0], T[0, 0])
+
+
 def polar(p):
     """(slant range [m], azimuth [rad], elevation [rad])."""
     return float(numpy.linalg.norm(p)), math.atan2(p[1], p[0]), math.atan2(p[2], math.hypot(p[0], p[1]))

@@ -17,7 +17,7 @@ import rospy
 
 import stage_run
 from lock_step import LockStep
-from ros_session import SessionError
+from ros_session import RosSession, SessionError
 
 NAME = "slam"
 SCANS, MAP, PATH = f"/{NAME}/scan", f"/{NAME}/map", f"/{NAME}/path"
@@ -148,20 +148,12 @@ def _feed(steps, usage, latest, bag_file, scan_topic, every):
     if not odometry:
         raise SessionError(f"{bag_file} has no scan with odometry")
     cpu = usage.cpu() - began
-    if not _path_is_in(latest):
+    # the map goes out after the path of the same scan
+    whole = lambda: PATH in latest and MAP in latest and latest[PATH].header.stamp == latest[MAP].header.stamp
+    if not RosSession.wait(whole, stage_run.PATIENCE):
         raise SessionError("grid_slam sent no path")
     path = [(p.header.stamp.to_nsec(), planar(p.pose)) for p in latest[PATH].poses]
     return Run(_poses(path, odometry), latest[MAP], len(path), 1e3 * cpu / len(path), usage.peak())
-
-
-def _path_is_in(latest):
-    """The map goes out after the path of the same scan; wait until both are of one."""
-    deadline = time.monotonic() + stage_run.PATIENCE
-    while time.monotonic() < deadline:
-        if PATH in latest and MAP in latest and latest[PATH].header.stamp == latest[MAP].header.stamp:
-            return True
-        time.sleep(0.01)
-    return False
 
 
 def _poses(path, odometry):

@@ -6,6 +6,7 @@ import numpy
 import rosbag
 
 import poses
+from kitti_messages import fields
 
 SCAN, ODOMETRY, IMU = "/scan/scan", "/odom", "/imu/data"
 TRUE_SCAN, TRUE_POSE = f"/truth{SCAN}", "/truth/pose"
@@ -79,8 +80,5 @@ def directions(scan):
 
 def cloud(message):
     """Of a PointCloud2 with x y z time: the points n x 3, and whether they are of one instant."""
-    offsets = {field.name: field.offset for field in message.fields}
-    names = ["x", "y", "z", "time"]
-    kind = numpy.dtype({"names": names, "formats": ["f4"] * 4, "offsets": [offsets[n] for n in names], "itemsize": message.point_step})
-    rows = numpy.frombuffer(message.data, kind)
-    return numpy.stack([rows[n] for n in "xyz"], axis=1).astype(float), not rows["time"].any()
+    rows = fields(message, "x", "y", "z", "time")
+    return rows[:, :3].astype(float), not rows[:, 3].any()

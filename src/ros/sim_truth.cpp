@@ -3,6 +3,7 @@
 #include <boost/make_shared.hpp>
 
 #include "field_fusion/core/sim/truth.h"
+#include "field_fusion/ros/grid_message.h"
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/sim_markers.h"
 #include "field_fusion/ros/sim_sensor.h"
@@ -99,18 +100,9 @@ boost::shared_ptr<const nav_msgs::OccupancyGrid> truthGrid(const sim::World& wor
   sim::SliceParams slice;
   slice.low = slice.high = height;
   const sim::TruthGrid truth = sim::occupancy(world, 0.0, slice);
-  auto grid = boost::make_shared<nav_msgs::OccupancyGrid>();
-  grid->header = worldHeader(0.0);
-  grid->info.map_load_time = grid->header.stamp;
-  grid->info.resolution = static_cast<float>(truth.cell);
-  grid->info.width = static_cast<std::uint32_t>(truth.columns);
-  grid->info.height = static_cast<std::uint32_t>(truth.rows);
-  grid->info.origin.position.x = truth.origin.x();
-  grid->info.origin.position.y = truth.origin.y();
-  grid->info.origin.orientation.w = 1.0;
-  grid->data.reserve(truth.occupied.size());
-  for (const std::uint8_t cell : truth.occupied) grid->data.push_back(cell ? 100 : 0);
-  return grid;
+  core::Occupancy map{truth.cell, truth.origin.x(), truth.origin.y(), truth.columns, truth.rows, {}};
+  for (const std::uint8_t cell : truth.occupied) map.cells.push_back(cell ? core::kWallCell : core::kFreeCell);
+  return gridMessage(worldHeader(0.0), map);
 }
 
 SimSources simTruth(const SimSetup& setup) {

@@ -9,14 +9,6 @@
 namespace field_fusion {
 namespace {
 
-core::Pose2 flat(const core::Transform& T) {
-  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
-}
-
-core::Transform solid(const core::Pose2& pose) {
-  return Eigen::Translation3d(pose.x, pose.y, 0.0) * Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ());
-}
-
 core::ScanLimits limitsOf(const core::GridSlamParams& p) { return {p.min_range, p.usable_range, p.max_range}; }
 
 }  // namespace
@@ -46,7 +38,7 @@ bool SlamFlow::ready(const std_msgs::Header& header, const TfCache& tf) const {
 
 SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCache& tf) {
   const core::Transform T_base_sensor = tf.lookup(params_.base_frame, message.header);
-  const core::Pose2 T_odom_base = flat(tf.lookup(params_.odom_frame, params_.base_frame, message.header.stamp));
+  const core::Pose2 T_odom_base = core::flat(tf.lookup(params_.odom_frame, params_.base_frame, message.header.stamp));
   const core::SlamScan scan = core::slamScan(scanOf(message), T_base_sensor, limitsOf(params_.slam));
   using Outcome = core::GridSlam::Outcome;
   const Outcome outcome =

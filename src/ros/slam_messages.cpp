@@ -14,17 +14,6 @@ geometry_msgs::Pose poseMessage(const core::Pose2& pose) {
 
 }  // namespace
 
-boost::shared_ptr<nav_msgs::OccupancyGrid> gridMessage(const std_msgs::Header& header, const core::Occupancy& map) {
-  const auto out = boost::make_shared<nav_msgs::OccupancyGrid>();
-  out->header = header;
-  out->info.map_load_time = header.stamp;
-  out->info.resolution = static_cast<float>(map.resolution);
-  out->info.width = static_cast<std::uint32_t>(map.width), out->info.height = static_cast<std::uint32_t>(map.height);
-  out->info.origin = poseMessage({map.x, map.y, 0.0});
-  out->data = map.cells;
-  return out;
-}
-
 boost::shared_ptr<geometry_msgs::PoseArray> particlesMessage(const std_msgs::Header& header, const core::GridSlam& slam) {
   const auto out = boost::make_shared<geometry_msgs::PoseArray>();
   out->header = header;

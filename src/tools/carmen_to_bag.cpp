@@ -30,10 +30,6 @@ struct Line {
   const core::CarmenScan* scan;  // null: odometry alone
 };
 
-core::Transform solid(const core::Pose2& pose) {
-  return Eigen::Translation3d(pose.x, pose.y, 0.0) * Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ());
-}
-
 /// T_base_laser. Throws where the log's own does not stay the same: the poses are corrected ones, then.
 core::Pose2 laserPlace(const Options& o, const core::CarmenLog& log) {
   if (!o.laser.empty()) return {o.laser[0], o.laser[1], core::radians(o.laser[2])};

@@ -17,10 +17,6 @@
 namespace field_fusion::test {
 namespace {
 
-core::Transform solid(const core::Pose2& p) {
-  return Eigen::Translation3d(p.x, p.y, 0.0) * Eigen::AngleAxisd(p.yaw, Eigen::Vector3d::UnitZ());
-}
-
 class GridSlamStage : public testing::Test {
  protected:
   void SetUp() override {

@@ -10,6 +10,7 @@
 #include "field_fusion/SaveMap.h"
 #include "field_fusion/core/io/map_file.h"
 #include "field_fusion/core/map/local_map.h"
+#include "field_fusion/ros/grid_message.h"
 #include "field_fusion/ros/slam_messages.h"
 #include "field_fusion/ros/slam_params.h"
 #include "field_fusion/ros/tf_cache.h"

@@ -1,15 +1,12 @@
 #pragma once
 // Messages of the grid SLAM.
 #include <geometry_msgs/PoseArray.h>
-#include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 
 #include "field_fusion/core/map/grid_slam.h"
-#include "field_fusion/core/map/occupancy.h"
 
 namespace field_fusion {
 
-boost::shared_ptr<nav_msgs::OccupancyGrid> gridMessage(const std_msgs::Header& header, const core::Occupancy& map);
 boost::shared_ptr<geometry_msgs::PoseArray> particlesMessage(const std_msgs::Header& header, const core::GridSlam& slam);
 /// Of the best particle, each pose with the stamp of its scan.
 boost::shared_ptr<nav_msgs::Path> pathMessage(const std_msgs::Header& header, const core::GridSlam& slam);

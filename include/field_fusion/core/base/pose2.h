@@ -1,6 +1,6 @@
 #pragma once
 // Poses in the plane.
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstdint>
@@ -40,6 +40,15 @@ inline Pose2 between(const Pose2& a, const Pose2& b) { return inverse(a) * b; }
 inline Eigen::Vector2d operator*(const Pose2& p, const Eigen::Vector2d& point) {
   const double c = std::cos(p.yaw), s = std::sin(p.yaw);
   return {p.x + c * point.x() - s * point.y(), p.y + s * point.x() + c * point.y()};
+}
+
+/// What of a motion in space lies in the plane.
+inline Pose2 flat(const Transform& T) {
+  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
+}
+
+inline Transform solid(const Pose2& p) {
+  return Eigen::Translation3d(p.x, p.y, 0.0) * Eigen::AngleAxisd(p.yaw, Eigen::Vector3d::UnitZ());
 }
 
 }  // namespace field_fusion::core
