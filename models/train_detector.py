@@ -35,7 +35,7 @@ def arguments():
     end.add_argument("--epochs", type=int, help="default: 100")
     end.add_argument("--minutes", type=float, help="of training; as many epochs as fit")
     parser.add_argument("--resume", action="store_true", help="go on from OUT/last.pt, with its settings")
-    parser.add_argument("--weights", metavar="FILE", help="begin with those of a best.pt or last.pt of the same shape")
+    parser.add_argument("--weights", metavar="FILE", help="begin with those of a best.pt, last.pt or exported .onnx of the same shape")
     parser.add_argument("--size", type=input_size, default=default["size"], help="of the network's input [px]; 640")
     parser.add_argument("--optimizer", choices=("adamw", "sgd"), default=default["optimizer"])
     parser.add_argument("--rate", type=float, help="highest learning rate; default: 0.002 for adamw, 0.01 for sgd")

@@ -1,6 +1,4 @@
 """An ONNX detector run through OpenCV, to be scored: one of ours, or one with the head of a stock export."""
-import ast
-
 import cv2
 import numpy as np
 import onnx
@@ -8,6 +6,7 @@ import torch
 
 from .detections import Detections, detections_of, suppressed
 from .network import BOX_ROWS, STRIDES
+from .onnx_weights import names_of
 
 
 class OnnxError(Exception):
@@ -19,20 +18,13 @@ class OnnxModel:
         try:
             model = onnx.load(str(path))
             self.net = cv2.dnn.readNetFromONNX(str(path))
-            self.names = self._names({p.key: p.value for p in model.metadata_props})
+            self.names = names_of(model)
         except Exception as fault:  # each of the two libraries has kinds of its own
             raise OnnxError(f"{path}: {fault}") from None
         shape = [d.dim_value for d in model.graph.input[0].type.tensor_type.shape.dim]
         if len(shape) != 4 or shape[:2] != [1, 3] or min(shape) <= 0:
             raise OnnxError(f"{path}: input {shape}, not 1x3xHxW of fixed size")
         self.size = (shape[3], shape[2])
-
-    @staticmethod
-    def _names(metadata):
-        if "names" not in metadata:
-            raise ValueError("it does not name its classes")
-        names = ast.literal_eval(metadata["names"])
-        return [names[i] for i in range(len(names))]
 
     def __call__(self, images, confidence, overlap):
         """Images Nx3xHxW (RGB uint8) to Detections [px of the input], one each."""

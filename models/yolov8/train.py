@@ -12,8 +12,8 @@ from .average_precision import ALL
 from .evaluate import runner, score
 from .loader import Loader, network_input
 from .loss import detection_loss
-from .network import YoloV8
 from .schedule import Plan, rate_factor
+from .start import first_network
 
 SAVE_SECONDS = 120
 LONGEST_GRADIENT = 10.0
@@ -41,7 +41,7 @@ class Settings:
     validate: int = 5            # epochs from one validation to the next
     workers: int = 1             # threads that make batches
     bf16: bool = False
-    weights: str = None          # checkpoint whose weights it begins with; None: random ones
+    weights: str = None          # checkpoint or exported detector whose weights it begins with; None: random ones
 
 
 def make_optimizer(network, settings):
@@ -56,18 +56,6 @@ def make_optimizer(network, settings):
     return torch.optim.AdamW(groups, rate, betas=(0.9, 0.999)), rate
 
 
-def first_network(settings, names):
-    if settings.weights is None:
-        return YoloV8(len(names), settings.width, settings.depth)
-    facts, tensors = checkpoint.load(settings.weights)
-    network = checkpoint.network_of(facts, tensors)
-    wanted = YoloV8(len(names), settings.width, settings.depth).config
-    if facts["config"] != wanted or facts["names"] != names:
-        raise checkpoint.CheckpointError(f"{settings.weights}: its network and classes are {facts['config']}, {facts['names']}; "
-                                         f"asked for are {wanted}, {names}")
-    return network
-
-
 class Training:
     def __init__(self, settings, data, validation, out, report, device=None):
         self.settings, self.validation, self.report = settings, validation, report
@@ -75,7 +63,7 @@ class Training:
         self.device = device or ("cuda" if torch.cuda.is_available() else "cpu")
         self.plan = Plan(settings.epochs, settings.minutes)
         torch.manual_seed(settings.seed)
-        network = first_network(settings, data.names)
+        network = first_network(settings, data)
         self.names = data.names
         self.network = network.to(self.device, memory_format=torch.channels_last)
         self.average = Average(self.network)

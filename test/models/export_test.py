@@ -10,6 +10,7 @@ import torch
 
 from yolov8.export import export, folded
 from yolov8.network import YoloV8
+from yolov8.onnx_weights import unfolded
 
 onnx = pytest.importorskip("onnx", reason="python3-onnx is not installed")
 
@@ -99,3 +100,25 @@ def test_names_that_do_not_fit_are_refused(tmp_path):
     with pytest.raises(ValueError, match="2 names, but the network has 3 classes"):
         export(as_if_trained(), NAMES[:2], SIZE, tmp_path / "a.onnx", {})
     assert not list(tmp_path.iterdir())
+
+
+def test_weights_of_an_exported_file_are_a_network_that_computes_the_same(exported):
+    path, image, expected = exported
+    network, names = unfolded(path, torch.rand(4, 3, SIZE[1], SIZE[0]), width=0.125, depth=1 / 3)
+    assert names == NAMES and any(isinstance(m, torch.nn.BatchNorm2d) for m in network.modules())
+    with torch.no_grad():
+        check([m.numpy() for m in network(torch.from_numpy(image))], expected)
+
+
+def test_its_normalisations_know_the_channels(exported):
+    path, images = exported[0], torch.rand(4, 3, SIZE[1], SIZE[0])
+    network, _ = unfolded(path, images, width=0.125, depth=1 / 3)
+    with torch.no_grad():
+        expected = network(images)
+        for measured, kept in zip(network.train()(images), expected):  # by the batch's own means and variances
+            torch.testing.assert_close(measured, kept, atol=1e-3, rtol=1e-3)
+
+
+def test_weights_of_another_width_are_refused(exported):
+    with pytest.raises(ValueError, match="stem"):
+        unfolded(exported[0], torch.rand(1, 3, 64, 96), width=0.25, depth=1 / 3)

@@ -144,6 +144,22 @@ def test_weights_of_another_shape_are_refused(uninterrupted, shapes_folder, tmp_
     assert done.returncode == 1 and "none.pt" in done.stderr and "Traceback" not in done.stderr
 
 
+def test_an_exported_detector_is_trained_on(uninterrupted, shapes_folder, tmp_path):
+    pytest.importorskip("onnx", reason="python3-onnx is not installed")
+    from yolov8.export import export
+
+    exported = tmp_path / "first.onnx"
+    export(network_of(*load(uninterrupted.out / "best.pt")), uninterrupted.names, SIZE, exported, {})
+    begun = training_of(shapes_folder, tmp_path / "second", weights=str(exported))
+    image = torch.rand(1, 3, *SIZE[::-1])
+    with torch.no_grad():
+        for ours, theirs in zip(begun.average.network(image), network_of(*load(uninterrupted.out / "best.pt"))(image)):
+            torch.testing.assert_close(ours, theirs, atol=1e-3, rtol=1e-3)
+    exported.write_bytes(b"no model")
+    done = run(shapes_folder, tmp_path / "out", "--weights", str(exported))
+    assert done.returncode == 1 and "first.onnx" in done.stderr and "Traceback" not in done.stderr
+
+
 def test_checkpoint_of_others_is_refused(tmp_path):
     path = tmp_path / "a.pt"
     for content in (b"", b"not a checkpoint"):
