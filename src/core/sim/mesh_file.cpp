@@ -1,3 +1,4 @@
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -10,6 +11,8 @@ namespace field_fusion::core::sim {
 
 Mesh loadMesh(const std::string& file, double scale) {
   Assimp::Importer importer;
+  // else a Collada file with z up is turned until y is; RViz and Gazebo leave the axes as they are, too
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   // one frame for all: what a file says of places and axes is applied to the vertices
   const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices |
                                                      aiProcess_SortByPType | aiProcess_JoinIdenticalVertices);

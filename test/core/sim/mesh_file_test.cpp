@@ -27,6 +27,32 @@ TEST(MeshFile, PlyIsRead) {
   EXPECT_EQ(loadMesh(file.string()).triangles.size(), 2u) << "a square is two triangles";
 }
 
+/// A triangle of 100, 200 and 300 cm along x, y and z, moved by 1000 cm along x.
+const char* const kCollada = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><unit name="centimeter" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+  <library_geometries><geometry id="g"><mesh>
+    <source id="p"><float_array id="pa" count="9">100 0 0 0 200 0 0 0 300</float_array><technique_common>
+      <accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+      <param name="Z" type="float"/></accessor></technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="s"><node id="n"><translate>1000 0 0</translate>
+    <instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>)";
+
+TEST(MeshFile, ColladaIsReadInMetresWithItsAxes) {
+  const field_fusion::test::TempFolder folder;
+  const Mesh mesh = loadMesh(folder.write("a.dae", kCollada).string());
+  ASSERT_EQ(mesh.triangles.size(), 1u);
+  Eigen::AlignedBox3f box;
+  for (const auto& vertex : mesh.vertices) box.extend(vertex);
+  EXPECT_TRUE(box.min().isApprox(Eigen::Vector3f(10, 0, 0), 1e-5f)) << box.min().transpose();
+  EXPECT_TRUE(box.max().isApprox(Eigen::Vector3f(11, 2, 3), 1e-5f)) << box.max().transpose();
+}
+
 std::string faultOf(const std::string& file) {
   try {
     loadMesh(file);
