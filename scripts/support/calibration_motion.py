@@ -12,9 +12,9 @@ import poses
 import sim_bag
 import stage_run
 
-SECONDS = {False: 40.0, True: 20.0}  # of a recording; with --quick
+SECONDS = {False: 20.0, True: 10.0}  # of a recording; with --quick
 MOUNTS = ("--mounts", "camera", "imu")
-RATE = 20.0  # pictures a second
+RATE = 10.0  # pictures a second
 AWAY = 1.5  # m from the camera to the board
 HEIGHT = 0.6  # m of the hands
 CLOCK = 0.02  # s by which the camera's clock is off at most

@@ -1,7 +1,7 @@
-// A bag in which camera and inertial unit are moved before a checkerboard at rest -> where they stand to one another, and by how
-// much their clocks differ (paper 004, section 2.3, uses Kalibr for it).
-#include <CLI/CLI.hpp>
+// A bag in which camera and inertial unit are moved before a checkerboard at rest -> where they stand to one
+// another, and by how much their clocks differ (paper 004, section 2.3, uses Kalibr for it).
 #include <yaml-cpp/yaml.h>
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 
@@ -33,16 +33,16 @@ void readNoise(const std::string& file, core::CameraImuOptions& out) try {
 
 void print(const core::CameraImuCalibration& found) {
   std::printf("%zu pictures, %zu readings of the inertial unit\n", found.frames, found.readings);
-  std::printf("reprojection %.2f px; left of the gyroscope %.2f mrad/s, of the accelerometer %.3f m/s^2\n", found.reprojection,
-              1e3 * found.gyro_sigma, found.accel_sigma);
+  std::printf("reprojection %.2f px; left of the gyroscope %.2f mrad/s, of the accelerometer %.3f m/s^2\n",
+              found.reprojection, 1e3 * found.gyro_sigma, found.accel_sigma);
   printTransform("T_camera_imu", found.T_camera_imu);
   std::printf("time offset: %.3f ms, the unit's stamp less the camera's\n", 1e3 * found.time_offset);
   std::printf("standard deviations: %.3f deg, %.1f mm, %.3f ms\n", core::degrees(found.rotationSigma()),
               1e3 * found.translationSigma(), 1e3 * found.offsetSigma());
 }
 
-void writeYaml(const std::filesystem::path& file, const core::CameraImuCalibration& found, const std::string& camera,
-               const std::string& imu) {
+void writeYaml(const std::filesystem::path& file, const core::CameraImuCalibration& found,
+               const std::string& camera, const std::string& imu) {
   std::ofstream out = opened(file);
   out << "camera_frame: " << camera << "\nimu_frame: " << imu << "\n";
   writeMatrix(out, "T_camera_imu", found.T_camera_imu.matrix());
@@ -76,13 +76,16 @@ void run(Options& options) {
   print(found);
   const std::filesystem::path out = options.out;
   std::filesystem::create_directories(out);
-  writeLaunch(out / "static_transform.launch", "calibrate_camera_imu", found.T_camera_imu.inverse(), frame, camera.frame);
+  writeLaunch(out / "static_transform.launch", "calibrate_camera_imu", found.T_camera_imu.inverse(), frame,
+              camera.frame);
   writeYaml(out / "calibration.yaml", found, camera.frame, frame);
   std::cout << "written to " << out.string() << ": calibration.yaml, static_transform.launch\n";
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("bag", options.bag, "camera, its camera_info, and inertial unit")->required()->check(CLI::ExistingFile);
+  app.add_option("bag", options.bag, "camera, its camera_info, and inertial unit")
+      ->required()
+      ->check(CLI::ExistingFile);
   app.add_option("--board", options.board, "COLUMNSxROWSxSQUARE: inner corners, and metres")->required();
   app.add_option("--imu", options.imu, "sensor_msgs/Imu (default: the only one)");
   app.add_option("--image", options.image, "Image or CompressedImage (default: the only one)");
@@ -90,9 +93,11 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--imu-noise", options.imu_noise, "imu.yaml of calibrate_imu: random walks of the biases")
       ->check(CLI::ExistingFile);
   app.add_option("--max-offset", options.solver.max_offset, "by which the clocks differ at most [s]")
-      ->capture_default_str()->check(CLI::Range(0.0, 10.0));
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 10.0));
   app.add_option("--every", options.every, "looks at one of so many pictures")
-      ->capture_default_str()->check(CLI::PositiveNumber);
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "folder to write to")->capture_default_str();
 }
 
@@ -100,8 +105,10 @@ void declare(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Finds where an inertial unit stands to a camera and by how much their clocks differ, from a recording in which both "
-               "are moved before a checkerboard at rest.");
+  CLI::App app(
+      "Finds where an inertial unit stands to a camera and by how much their clocks differ, from a recording "
+      "in which both "
+      "are moved before a checkerboard at rest.");
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
   try {

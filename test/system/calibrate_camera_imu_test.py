@@ -22,7 +22,6 @@ FEW = ("--every", "8")  # pictures, where no more are needed to see what is wron
 
 def recorded(folder, name, change=lambda world: None):
     world = calibration_motion.world(name, 3)
-    world["robot"]["mounts"][0]["rate"] = 10.0
     change(world)
     (folder / "worlds").mkdir(exist_ok=True)
     if not (folder / "sensors").exists():

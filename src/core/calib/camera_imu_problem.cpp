@@ -13,11 +13,11 @@
 namespace field_fusion::core {
 namespace {
 
-constexpr double kRobust = 2.0;      // times the usual size of a block from where on it counts linearly (Huber)
-constexpr double kBiasStep = 5.0;    // [s]
+constexpr double kRobust = 2.0;    // times the usual size of a block from where on it counts linearly (Huber)
+constexpr double kBiasStep = 5.0;  // [s]
 constexpr double kCoarse = 1e-5, kFine = 1e-10;  // relative changes at which a search ends
-constexpr int kRounds = 3;           // of measuring the noise
-constexpr int kProbes = 8;           // that tell how many of the residuals the search followed
+constexpr int kRounds = 3;                       // of measuring the noise
+constexpr int kProbes = 8;                       // that tell how many of the residuals the search followed
 constexpr double kLeastPixel = 1e-3, kLeastRate = 1e-6, kLeastForce = 1e-5;  // no weight is infinite
 const double kMostTurn = radians(300.0);  // of the rotation vector, which is ambiguous at 360
 
@@ -62,10 +62,14 @@ ceres::LossFunction* robust(double count) { return new ceres::HuberLoss(kRobust 
 
 }  // namespace
 
-CameraImuProblem::CameraImuProblem(const Board& board, const CameraLens& lens, std::vector<CameraPlace> places,
-                                   std::vector<ImuReading> readings, const CameraImuStart& start,
-                                   const CameraImuOptions& options)
-    : lens_(lens), options_(options), corners_(board.corners()), T_camera_imu_(start.R_camera_imu), time_offset_(start.time_offset) {
+CameraImuProblem::CameraImuProblem(const Board& board, const CameraLens& lens,
+                                   std::vector<CameraPlace> places, std::vector<ImuReading> readings,
+                                   const CameraImuStart& start, const CameraImuOptions& options)
+    : lens_(lens),
+      options_(options),
+      corners_(board.corners()),
+      T_camera_imu_(start.R_camera_imu),
+      time_offset_(start.time_offset) {
   const double begin = std::max(places.front().stamp + time_offset_, readings.front().stamp);
   const double end = std::min(places.back().stamp + time_offset_, readings.back().stamp);
   for (ImuReading& reading : readings)
@@ -89,7 +93,8 @@ void CameraImuProblem::placePoints(const std::vector<CameraPlace>& places) {
   for (int j = 0; j < grid_.points(); ++j) {
     const Transform T_board_imu = cameraAt(places, grid_.centre(j) - time_offset_) * T_camera_imu_;
     turn = turnNear(R_board_reference_.transpose() * T_board_imu.linear(), turn);
-    if (turn.norm() > kMostTurn) throw std::runtime_error("the camera is turned on and on: turn it back and forth");
+    if (turn.norm() > kMostTurn)
+      throw std::runtime_error("the camera is turned on and on: turn it back and forth");
     const Eigen::Vector3d at = T_board_imu.translation();
     points_.push_back({turn.x(), turn.y(), turn.z(), at.x(), at.y(), at.z()});
   }
@@ -109,10 +114,12 @@ void CameraImuProblem::addPictures(ceres::Problem& problem) {
     const double time = place.stamp + time_offset_;
     const int segment = grid_.segment(time);
     Six* p = &points_[static_cast<std::size_t>(segment)];
-    auto* cost = costOf(PictureResidual{lens_, corners_, place.corners, R_board_reference_, T_camera_imu_,
-                                        (time - grid_.start(segment)) / grid_.step, grid_.step, pictures_.sigma});
-    pictures_.blocks.push_back(problem.AddResidualBlock(cost, robust(count), p[0].data(), p[1].data(), p[2].data(), p[3].data(),
-                                                        p[4].data(), p[5].data(), x_.data(), &t_));
+    auto* cost =
+        costOf(PictureResidual{lens_, corners_, place.corners, R_board_reference_, T_camera_imu_,
+                               (time - grid_.start(segment)) / grid_.step, grid_.step, pictures_.sigma});
+    pictures_.blocks.push_back(problem.AddResidualBlock(cost, robust(count), p[0].data(), p[1].data(),
+                                                        p[2].data(), p[3].data(), p[4].data(), p[5].data(),
+                                                        x_.data(), &t_));
   }
 }
 
@@ -124,12 +131,13 @@ void CameraImuProblem::addReadings(ceres::Problem& problem) {
     Six* p = &points_[static_cast<std::size_t>(segment)];
     Six* bias = &biases_[static_cast<std::size_t>(between)];
     gyro_.blocks.push_back(problem.AddResidualBlock(
-        costOf(GyroResidual{reading.rate, u, grid_.step, share, gyro_.sigma}), robust(3), p[0].data(), p[1].data(),
-        p[2].data(), p[3].data(), p[4].data(), p[5].data(), bias[0].data(), bias[1].data()));
-    accel_.blocks.push_back(problem.AddResidualBlock(
-        costOf(AccelResidual{reading.force, R_board_reference_, R_board_up_, u, grid_.step, share, accel_.sigma}),
-        robust(3), p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data(), p[5].data(), bias[0].data(), bias[1].data(),
-        tilt_.data()));
+        costOf(GyroResidual{reading.rate, u, grid_.step, share, gyro_.sigma}), robust(3), p[0].data(),
+        p[1].data(), p[2].data(), p[3].data(), p[4].data(), p[5].data(), bias[0].data(), bias[1].data()));
+    accel_.blocks.push_back(
+        problem.AddResidualBlock(costOf(AccelResidual{reading.force, R_board_reference_, R_board_up_, u,
+                                                      grid_.step, share, accel_.sigma}),
+                                 robust(3), p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data(),
+                                 p[5].data(), bias[0].data(), bias[1].data(), tilt_.data()));
   }
 }
 
@@ -139,8 +147,9 @@ void CameraImuProblem::build(ceres::Problem& problem) {
   addReadings(problem);
   const double root = std::sqrt(bias_grid_.step);
   for (std::size_t i = 1; i < biases_.size(); ++i)
-    walks_.push_back(problem.AddResidualBlock(costOf(BiasWalk{options_.gyro_walk * root, options_.accel_walk * root}), nullptr,
-                                              biases_[i - 1].data(), biases_[i].data()));
+    walks_.push_back(
+        problem.AddResidualBlock(costOf(BiasWalk{options_.gyro_walk * root, options_.accel_walk * root}),
+                                 nullptr, biases_[i - 1].data(), biases_[i].data()));
 }
 
 /// What is found goes into the places from which the small numbers count; they are zero then.
@@ -155,10 +164,12 @@ void CameraImuProblem::minimise(double tolerance) {
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  if (!summary.IsSolutionUsable()) throw std::runtime_error("the search for the unit's place failed: " + summary.message);
+  if (!summary.IsSolutionUsable())
+    throw std::runtime_error("the search for the unit's place failed: " + summary.message);
   T_camera_imu_ = T_camera_imu_ * motion(x_);
   time_offset_ += t_;
-  R_board_up_ = (R_board_up_ * Eigen::Quaterniond(rotationOf<double>({tilt_[0], tilt_[1], 0.0}))).normalized();
+  R_board_up_ =
+      (R_board_up_ * Eigen::Quaterniond(rotationOf<double>({tilt_[0], tilt_[1], 0.0}))).normalized();
   x_.fill(0.0), tilt_.fill(0.0), t_ = 0.0;
 }
 
@@ -183,20 +194,22 @@ CameraImuProblem::Linear CameraImuProblem::linearised() {
   if (!problem.Evaluate(options, nullptr, &out.residuals, nullptr, &rows))
     throw std::runtime_error("the search for the unit's place ended behind the board");
   using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  out.jacobian = Eigen::Map<const RowMajor>(rows.num_rows, rows.num_cols, static_cast<Eigen::Index>(rows.values.size()),
-                                            rows.rows.data(), rows.cols.data(), rows.values.data());
+  out.jacobian =
+      Eigen::Map<const RowMajor>(rows.num_rows, rows.num_cols, static_cast<Eigen::Index>(rows.values.size()),
+                                 rows.rows.data(), rows.cols.data(), rows.values.data());
   out.pictures = static_cast<Eigen::Index>(2 * corners_.size() * places_.size());
   out.gyro = out.accel = static_cast<Eigen::Index>(3 * readings_.size());
   return out;
 }
 
-/// Of what the spline leaves, it has taken a part along: as many numbers of each kind as the trace of J H^-1 J^T has there
-/// (Foerstner 1979), which random signs tell (Hutchinson 1990).
+/// Of what the spline leaves, it has taken a part along: as many numbers of each kind as the trace of J H^-1
+/// J^T has there (Foerstner 1979), which random signs tell (Hutchinson 1990).
 void CameraImuProblem::measureNoise() {
   const Linear linear = linearised();
   const Eigen::SparseMatrix<double> normal = linear.jacobian.transpose() * linear.jacobian;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> inverse(normal);
-  if (inverse.info() != Eigen::Success) throw std::runtime_error("the recording leaves something unknown: no inverse");
+  if (inverse.info() != Eigen::Success)
+    throw std::runtime_error("the recording leaves something unknown: no inverse");
   std::mt19937 random(1);
   Eigen::Index first = 0;
   const auto measured = [&](Kind& kind, Eigen::Index count, double least) {
@@ -209,7 +222,8 @@ void CameraImuProblem::measureNoise() {
     }
     const auto begin = linear.residuals.begin() + first;
     const double freedom = std::max(0.05, 1.0 - followed / static_cast<double>(count));
-    kind.sigma = std::max(least, kind.sigma * sigmaByMedian(sizes(begin, begin + count)) / std::sqrt(freedom));
+    kind.sigma =
+        std::max(least, kind.sigma * sigmaByMedian(sizes(begin, begin + count)) / std::sqrt(freedom));
     first += count;
   };
   measured(pictures_, linear.pictures, kLeastPixel);
@@ -221,7 +235,8 @@ CameraImuCalibration CameraImuProblem::result() {
   const Linear linear = linearised();
   const Eigen::SparseMatrix<double> normal = linear.jacobian.transpose() * linear.jacobian;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> inverse(normal);
-  if (inverse.info() != Eigen::Success) throw std::runtime_error("the recording leaves something unknown: no inverse");
+  if (inverse.info() != Eigen::Success)
+    throw std::runtime_error("the recording leaves something unknown: no inverse");
   CameraImuCalibration out;
   Eigen::MatrixXd last = Eigen::MatrixXd::Zero(normal.rows(), 7);
   last.bottomRows<7>().setIdentity();
@@ -231,12 +246,14 @@ CameraImuCalibration CameraImuProblem::result() {
   out.gyro_bias = out.accel_bias = Eigen::Vector3d::Zero();
   for (const Six& bias : biases_) {
     out.gyro_bias += Eigen::Map<const Eigen::Vector3d>(bias.data()) / static_cast<double>(biases_.size());
-    out.accel_bias += Eigen::Map<const Eigen::Vector3d>(bias.data() + 3) / static_cast<double>(biases_.size());
+    out.accel_bias +=
+        Eigen::Map<const Eigen::Vector3d>(bias.data() + 3) / static_cast<double>(biases_.size());
   }
   out.pixel_sigma = pictures_.sigma, out.gyro_sigma = gyro_.sigma, out.accel_sigma = accel_.sigma;
   out.frames = places_.size(), out.readings = readings_.size();
   double squares = 0;
-  for (Eigen::Index i = 0; i < linear.pictures; ++i) squares += std::pow(linear.residuals[static_cast<std::size_t>(i)], 2);
+  for (Eigen::Index i = 0; i < linear.pictures; ++i)
+    squares += std::pow(linear.residuals[static_cast<std::size_t>(i)], 2);
   out.reprojection = pictures_.sigma * std::sqrt(2.0 * squares / static_cast<double>(linear.pictures));
   return out;
 }

@@ -12,9 +12,11 @@ namespace field_fusion::core {
 
 class CameraImuProblem {
  public:
-  /// Readings between the first and the last picture count, and pictures between the first and the last reading.
+  /// Readings between the first and the last picture count, and pictures between the first and the last
+  /// reading.
   CameraImuProblem(const Board& board, const CameraLens& lens, std::vector<CameraPlace> places,
-                   std::vector<ImuReading> readings, const CameraImuStart& start, const CameraImuOptions& options);
+                   std::vector<ImuReading> readings, const CameraImuStart& start,
+                   const CameraImuOptions& options);
 
   /// Minimises, then measures the noise from what is left and minimises again, until it settles.
   void solve();
@@ -31,7 +33,7 @@ class CameraImuProblem {
   /// Of all residuals at where the search stands.
   struct Linear {
     std::vector<double> residuals;
-    Eigen::SparseMatrix<double> jacobian;  // columns: points, biases, tilt, x, t
+    Eigen::SparseMatrix<double> jacobian;            // columns: points, biases, tilt, x, t
     Eigen::Index pictures = 0, gyro = 0, accel = 0;  // rows, in this order; then those of the biases
   };
 

@@ -14,7 +14,8 @@ ceres::CostFunction* costOf(const GyroResidual& residual) {
 }
 
 ceres::CostFunction* costOf(const AccelResidual& residual) {
-  return new ceres::AutoDiffCostFunction<AccelResidual, 3, 6, 6, 6, 6, 6, 6, 6, 6, 2>(new AccelResidual(residual));
+  return new ceres::AutoDiffCostFunction<AccelResidual, 3, 6, 6, 6, 6, 6, 6, 6, 6, 2>(
+      new AccelResidual(residual));
 }
 
 ceres::CostFunction* costOf(const BiasWalk& residual) {

@@ -1,5 +1,6 @@
 #pragma once
-// What the spline of core/calib/camera_imu.h must fit. A block of points holds turn and place of the unit in the board's frame.
+// What the spline of core/calib/camera_imu.h must fit. A block of points holds turn and place of the unit in
+// the board's frame.
 #include <ceres/cost_function.h>
 
 #include <vector>
@@ -25,15 +26,17 @@ struct PictureResidual {
   double sigma;    // [px]
 
   template <class T>
-  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5, const T* x, const T* t,
-                  T* out) const {
+  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5, const T* x,
+                  const T* t, T* out) const {
     const T* points[] = {p0, p1, p2, p3, p4, p5};
     const Eigen::Matrix<T, 6, 1> at = splineSum(points, splineWeights(T(u + t[0] / step), 0));
-    const Eigen::Matrix<T, 3, 3> R_board_imu = R_board_reference.cast<T>() * rotationOf<T>(at.template head<3>());
+    const Eigen::Matrix<T, 3, 3> R_board_imu =
+        R_board_reference.cast<T>() * rotationOf<T>(at.template head<3>());
     const Eigen::Map<const Vector3<T>> turn(x), shift(x + 3);
     const Eigen::Matrix<T, 3, 3> linear = T_camera_imu.linear().cast<T>();
     const Eigen::Matrix<T, 3, 3> R_camera_board = linear * rotationOf<T>(turn) * R_board_imu.transpose();
-    const Vector3<T> origin = linear * shift + T_camera_imu.translation().cast<T>() - R_camera_board * at.template tail<3>();
+    const Vector3<T> origin =
+        linear * shift + T_camera_imu.translation().cast<T>() - R_camera_board * at.template tail<3>();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector3<T> p = R_camera_board * corners[i].cast<T>() + origin;
       if (!(p.z() > 1e-3)) return false;  // behind the camera: no way to go
@@ -56,8 +59,8 @@ struct GyroResidual {
   double u, step, share, sigma;
 
   template <class T>
-  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5, const T* before, const T* after,
-                  T* out) const {
+  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5,
+                  const T* before, const T* after, T* out) const {
     const T* points[] = {p0, p1, p2, p3, p4, p5};
     const Vector3<T> turn = splineSum(points, splineWeights(u, 0)).template head<3>();
     const Vector3<T> change = splineSum(points, splineWeights(u, 1)).template head<3>() / T(step);
@@ -74,15 +77,20 @@ struct AccelResidual {
   double u, step, share, sigma;
 
   template <class T>
-  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5, const T* before, const T* after,
-                  const T* tilt, T* out) const {
+  bool operator()(const T* p0, const T* p1, const T* p2, const T* p3, const T* p4, const T* p5,
+                  const T* before, const T* after, const T* tilt, T* out) const {
     const T* points[] = {p0, p1, p2, p3, p4, p5};
     const Vector3<T> turn = splineSum(points, splineWeights(u, 0)).template head<3>();
-    const Vector3<T> acceleration = splineSum(points, splineWeights(u, 2)).template tail<3>() / T(step * step);
-    const Vector3<T> up = R_board_up.toRotationMatrix().cast<T>() * (rotationOf<T>({tilt[0], tilt[1], T(0.0)}).col(2));
-    const Vector3<T> in_reference = R_board_reference.transpose().cast<T>() * (acceleration + up * T(kGravity));
+    const Vector3<T> acceleration =
+        splineSum(points, splineWeights(u, 2)).template tail<3>() / T(step * step);
+    const Vector3<T> up =
+        R_board_up.toRotationMatrix().cast<T>() * (rotationOf<T>({tilt[0], tilt[1], T(0.0)}).col(2));
+    const Vector3<T> in_reference =
+        R_board_reference.transpose().cast<T>() * (acceleration + up * T(kGravity));
     Eigen::Map<Vector3<T>> difference(out);
-    difference = (rotationOf<T>(turn).transpose() * in_reference + biasAt(before, after, share, 3) - force.cast<T>()) / T(sigma);
+    difference =
+        (rotationOf<T>(turn).transpose() * in_reference + biasAt(before, after, share, 3) - force.cast<T>()) /
+        T(sigma);
     return true;
   }
 };

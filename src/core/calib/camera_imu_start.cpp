@@ -16,9 +16,11 @@ namespace {
 constexpr double kSpan = 0.1;      // [s] between pictures that are compared: sooner, noise is most of a turn
 constexpr double kLongest = 0.25;  // [s] beyond which a mean rate tells little
 constexpr std::size_t kFewest = 20;  // turns between pictures
-const double kLeastRate = radians(5.0);  // [rad/s] spread of the rates about an axis, some times that of the corners' noise
-constexpr double kWorstFit = 0.5;  // of the spread of the rates, that may be left between camera and gyroscope
-constexpr double kOutlier = 3.0;   // times the median
+const double kLeastRate =
+    radians(5.0);  // [rad/s] spread of the rates about an axis, some times that of the corners' noise
+constexpr double kWorstFit =
+    0.5;                          // of the spread of the rates, that may be left between camera and gyroscope
+constexpr double kOutlier = 3.0;  // times the median
 
 /// Mean rate of the camera between two pictures, in its own frame.
 struct Turn {
@@ -44,7 +46,8 @@ std::vector<Turn> turnsOf(const std::vector<CameraPlace>& places) {
 /// Integral of the rates, so that the mean over any span costs two look-ups.
 class RateIntegral {
  public:
-  explicit RateIntegral(const std::vector<ImuReading>& readings) : readings_(readings), sums_{Eigen::Vector3d::Zero()} {
+  explicit RateIntegral(const std::vector<ImuReading>& readings)
+      : readings_(readings), sums_{Eigen::Vector3d::Zero()} {
     for (std::size_t i = 1; i < readings.size(); ++i)
       sums_.push_back(sums_.back() + 0.5 * (readings[i].stamp - readings[i - 1].stamp) *
                                          (readings[i].rate + readings[i - 1].rate));
@@ -86,7 +89,8 @@ Fit fitted(const std::vector<RatePair>& pairs) {
   const double n = static_cast<double>(pairs.size());
   for (const RatePair& pair : pairs) fit.camera += pair.camera / n, fit.imu += pair.imu / n;
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  for (const RatePair& pair : pairs) products += (pair.camera - fit.camera) * (pair.imu - fit.imu).transpose();
+  for (const RatePair& pair : pairs)
+    products += (pair.camera - fit.camera) * (pair.imu - fit.imu).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double side = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   fit.R_camera_imu = svd.matrixU() * Eigen::Vector3d(1, 1, side).asDiagonal() * svd.matrixV().transpose();
@@ -116,7 +120,8 @@ std::vector<RatePair> pairsAt(const std::vector<Turn>& turns, const RateIntegral
 /// Half of the pictures have to be there: few that fit by chance are no fit.
 double misfit(const std::vector<Turn>& turns, const RateIntegral& gyro, double offset) {
   const auto pairs = pairsAt(turns, gyro, offset);
-  if (pairs.size() < kFewest || 2 * pairs.size() < turns.size()) return std::numeric_limits<double>::infinity();
+  if (pairs.size() < kFewest || 2 * pairs.size() < turns.size())
+    return std::numeric_limits<double>::infinity();
   return median(fitted(pairs).left);
 }
 
@@ -133,8 +138,9 @@ double bestOffset(const std::vector<Turn>& turns, const RateIntegral& gyro, doub
   const double middle = best;
   for (double by = -kCoarse; by <= kCoarse; by += kFine) look(middle + by);
   if (std::isinf(least))
-    throw std::runtime_error("the pictures with the board and the readings of the inertial unit are not of one time: fewer than " +
-                             std::to_string(kFewest) + " turns between pictures lie within the readings");
+    throw std::runtime_error(
+        "the pictures with the board and the readings of the inertial unit are not of one time: fewer than " +
+        std::to_string(kFewest) + " turns between pictures lie within the readings");
   return best;
 }
 
@@ -149,14 +155,17 @@ void refuseDull(const std::vector<Turn>& turns) {
   const Eigen::Array3d spread = eigen.eigenvalues().array().max(0.0).sqrt();
   char text[300];
   if (spread[2] < kLeastRate) {
-    std::snprintf(text, sizeof text, "the camera hardly turns (%.1f deg/s): neither the unit's rotation nor its place can be known",
-                  degrees(spread[2]));
+    std::snprintf(
+        text, sizeof text,
+        "the camera hardly turns (%.1f deg/s): neither the unit's rotation nor its place can be known",
+        degrees(spread[2]));
     throw std::runtime_error(text);
   }
   if (spread[1] < kLeastRate) {
     const Eigen::Vector3d axis = eigen.eigenvectors().col(2);
     std::snprintf(text, sizeof text,
-                  "the camera turns about one axis alone, (%.2f, %.2f, %.2f) of its own: the unit's place along it stays unknown; "
+                  "the camera turns about one axis alone, (%.2f, %.2f, %.2f) of its own: the unit's place "
+                  "along it stays unknown; "
                   "turn it about a second axis",
                   axis.x(), axis.y(), axis.z());
     throw std::runtime_error(text);
@@ -171,7 +180,8 @@ void refuseStrange(const Fit& fit, const std::vector<RatePair>& pairs, double li
   if (left < kWorstFit * kWorstFit * spread) return;
   char text[300];
   std::snprintf(text, sizeof text,
-                "turns of the camera (%.1f deg/s) and of the gyroscope do not fit, %.1f deg/s are left: clocks that differ by more "
+                "turns of the camera (%.1f deg/s) and of the gyroscope do not fit, %.1f deg/s are left: "
+                "clocks that differ by more "
                 "than %.2f s, rates in other units, or camera and unit that are not fixed to one another",
                 degrees(std::sqrt(spread)), degrees(std::sqrt(left)), limit);
   throw std::runtime_error(text);
@@ -181,7 +191,8 @@ Transform turnedBoard() { return Transform(Eigen::AngleAxisd(radians(180.0), Eig
 
 }  // namespace
 
-std::vector<CameraPlace> cameraPlaces(const Board& board, const CameraLens& lens, const std::vector<Sighting>& sightings) {
+std::vector<CameraPlace> cameraPlaces(const Board& board, const CameraLens& lens,
+                                      const std::vector<Sighting>& sightings) {
   std::vector<CameraPlace> out;
   for (const Sighting& sighting : sightings) {
     const auto view = locateBoard(sighting.corners, board, lens);
@@ -205,8 +216,9 @@ CameraImuStart startCameraImu(const std::vector<CameraPlace>& places, const std:
                               const CameraImuOptions& options) {
   const auto turns = turnsOf(places);
   if (turns.size() < kFewest)
-    throw std::runtime_error("too short: " + std::to_string(turns.size()) + " turns between pictures of the board, " +
-                             std::to_string(kFewest) + " at least are needed");
+    throw std::runtime_error("too short: " + std::to_string(turns.size()) +
+                             " turns between pictures of the board, " + std::to_string(kFewest) +
+                             " at least are needed");
   refuseDull(turns);
   const RateIntegral gyro(readings);
   const double offset = bestOffset(turns, gyro, options.max_offset);

@@ -21,7 +21,8 @@ struct Waves {
   }
   double second(double t) const {
     double sum = 0;
-    for (int i = 0; i < kWaves; ++i) sum -= amplitude[i] * omega[i] * omega[i] * std::sin(omega[i] * t + phase[i]);
+    for (int i = 0; i < kWaves; ++i)
+      sum -= amplitude[i] * omega[i] * omega[i] * std::sin(omega[i] * t + phase[i]);
     return sum;
   }
 };
@@ -39,7 +40,8 @@ class Draw {
     out.T_camera_imu.translation() = Eigen::Vector3d{even(0.1), even(0.1), even(0.1)};
     T_camera_imu_ = out.T_camera_imu;
     up_ = turned({even(0.3), 0.0, even(0.3)}) * -Eigen::Vector3d::UnitY();
-    for (int axis = 0; axis < 3; ++axis) turns_[axis] = waves(params_.turn * params_.turns[axis]), shifts_[axis] = waves(params_.shift);
+    for (int axis = 0; axis < 3; ++axis)
+      turns_[axis] = waves(params_.turn * params_.turns[axis]), shifts_[axis] = waves(params_.shift);
     const double tiny = 0.5 / params_.reading_rate;  // the clocks tick at no instants of one another
     for (double t = tiny; t < params_.seconds; t += 1.0 / params_.picture_rate) look(t, out.sightings);
     feel(out.readings);
@@ -63,7 +65,8 @@ class Draw {
     return out;
   }
   static Eigen::Matrix3d turned(const Eigen::Vector3d& angles) {
-    return (Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
+    return (Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()) *
+            Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
             Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()))
         .toRotationMatrix();
   }
@@ -74,7 +77,8 @@ class Draw {
   /// T_board_imu: the unit's place swings about one from which the camera has the board before it.
   Transform place(double t) const {
     Transform T(cameraTurn(t) * T_camera_imu_.linear());
-    T.translation() = T_camera_imu_.translation() + Eigen::Vector3d(shifts_[0].value(t), shifts_[1].value(t), shifts_[2].value(t) - 1.1);
+    T.translation() = T_camera_imu_.translation() +
+                      Eigen::Vector3d(shifts_[0].value(t), shifts_[1].value(t), shifts_[2].value(t) - 1.1);
     return T;
   }
 
@@ -97,11 +101,13 @@ class Draw {
     for (double t = 0.0; t < params_.seconds; t += period) {
       constexpr double kHalf = 1e-4;  // [s]
       const Transform T = place(t);
-      const Eigen::AngleAxisd turn(Eigen::Matrix3d(place(t - kHalf).linear().transpose() * place(t + kHalf).linear()));
+      const Eigen::AngleAxisd turn(
+          Eigen::Matrix3d(place(t - kHalf).linear().transpose() * place(t + kHalf).linear()));
       const Eigen::Vector3d acceleration(shifts_[0].second(t), shifts_[1].second(t), shifts_[2].second(t));
       out.push_back({kFirst + t + params_.time_offset,
                      turn.axis() * turn.angle() / (2 * kHalf) + gyro_bias + normal(params_.gyro_noise),
-                     T.linear().transpose() * (acceleration + kGravity * up_) + accel_bias + normal(params_.accel_noise)});
+                     T.linear().transpose() * (acceleration + kGravity * up_) + accel_bias +
+                         normal(params_.accel_noise)});
       gyro_bias += normal(params_.gyro_walk * std::sqrt(period));
       accel_bias += normal(params_.accel_walk * std::sqrt(period));
     }
@@ -118,7 +124,8 @@ class Draw {
 
 }  // namespace
 
-DrawnMotion drawMotion(const Board& board, const CameraLens& lens, const MotionParams& params, std::mt19937& random) {
+DrawnMotion drawMotion(const Board& board, const CameraLens& lens, const MotionParams& params,
+                       std::mt19937& random) {
   return Draw(board, lens, params, random).run();
 }
 

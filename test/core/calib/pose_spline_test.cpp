@@ -28,7 +28,8 @@ TEST(PoseSpline, AParabolaComesBackWiderByTheVarianceOfTheWeights) {
     for (int derivative = 0; derivative < 3; ++derivative) {
       const auto w = splineWeights(u, derivative);
       for (int j = 0; j < kSplineOrder; ++j)
-        value[derivative] += w[static_cast<std::size_t>(j)] * std::pow(grid.centre(segment + j), 2) / std::pow(grid.step, derivative);
+        value[derivative] += w[static_cast<std::size_t>(j)] * std::pow(grid.centre(segment + j), 2) /
+                             std::pow(grid.step, derivative);
     }
     EXPECT_NEAR(value[0], time * time + 0.5 * grid.step * grid.step, 1e-12);
     EXPECT_NEAR(value[1], 2.0 * time, 1e-10);
@@ -66,7 +67,8 @@ TEST(PoseSpline, ARotationVectorTurnsAsAngleAndAxisDo) {
 
 TEST(PoseSpline, TheRateIsThatOfTheTurnedFrame) {
   const Eigen::Vector3d change(0.4, -0.7, 1.1);
-  for (const Eigen::Vector3d& turn : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e-5, 0, 2e-5), Eigen::Vector3d(0.5, 1.0, -2.0)}) {
+  for (const Eigen::Vector3d& turn :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e-5, 0, 2e-5), Eigen::Vector3d(0.5, 1.0, -2.0)}) {
     constexpr double kHalf = 1e-5;
     const Eigen::AngleAxisd step(Eigen::Matrix3d(rotationOf<double>(turn - kHalf * change).transpose() *
                                                  rotationOf<double>(turn + kHalf * change)));

@@ -1,6 +1,7 @@
 #pragma once
-// A motion as a uniform B-spline of degree 5, by which an inertial unit's rates and forces can be compared with it at any time
-// (Furgale, Barfoot and Sibley 2012: turn and place are six numbers with control points of their own).
+// A motion as a uniform B-spline of degree 5, by which an inertial unit's rates and forces can be compared
+// with it at any time (Furgale, Barfoot and Sibley 2012: turn and place are six numbers with control points
+// of their own).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,8 +35,9 @@ struct SplineGrid {
 /// Of the six control points: `derivative` 0, 1 or 2 by the time in segments, at `u`, 0 to 1 within one.
 template <class T>
 std::array<T, kSplineOrder> splineWeights(const T& u, int derivative) {
-  static const double kPowers[kSplineOrder][kSplineOrder] = {  // of 1, u .. u^5, times 120
-      {1, -5, 10, -10, 5, -1},  {26, -50, 20, 20, -20, 5}, {66, 0, -60, 0, 30, -10},
+  static const double kPowers[kSplineOrder][kSplineOrder] = {
+      // of 1, u .. u^5, times 120
+      {1, -5, 10, -10, 5, -1},    {26, -50, 20, 20, -20, 5}, {66, 0, -60, 0, 30, -10},
       {26, 50, 20, -20, -20, 10}, {1, 5, 10, 10, 5, -5},     {0, 0, 0, 0, 0, 1}};
   std::array<T, kSplineOrder> out;
   for (std::size_t j = 0; j < kSplineOrder; ++j) {
