@@ -52,6 +52,7 @@ target_link_libraries(make_bag field_fusion_sim_ros)
 target_link_libraries(write_params field_fusion_sim)
 target_link_libraries(world_urdf field_fusion_sim_ros)
 target_link_libraries(calibrate_lidar_camera field_fusion_calib)
+target_link_libraries(calibrate_camera_imu field_fusion_calib)
 target_link_libraries(calibration_coverage field_fusion_calib)
 target_link_libraries(kitti_poses ${PCL_REGISTRATION_LIBRARIES})
 target_compile_options(kitti_poses PRIVATE -Wno-array-bounds)  # GCC 12 is wrong about Eigen in PCL's header

@@ -27,6 +27,7 @@ class Method(typing.NamedTuple):
 class Deskewed(typing.NamedTuple):
     points: numpy.ndarray  # n x 3, in the scanner's frame at the stamp
     done: bool  # False: passed on raw
+    scan: object  # LaserScan, its beams binned anew
 
 
 class DeskewStages:
@@ -61,15 +62,21 @@ class DeskewStages:
                 sent += 1
             messages = [(topic, _later(m, shift)) for _, topic, m in motion[first:sent]] + [(walk_bag.SCAN, _later(scan.message, shift))]
             stamp = scan.message.header.stamp + shift
-            answer = self.steps.require(messages, {f"/{name}/scan_points": stamp for name in self.methods}, stage_run.PATIENCE)
-            yield {name: Deskewed(*walk_bag.cloud(answer[f"/{name}/scan_points"])) for name in self.methods}
+            answer = self.steps.require(messages, {topic: stamp for name in self.methods for topic in _outputs(name)}, stage_run.PATIENCE)
+            yield {name: self._deskewed(name, answer, scan.message.header.stamp) for name in self.methods}
+
+    @staticmethod
+    def _deskewed(name, answer, stamp):
+        scan, points = (answer[topic] for topic in _outputs(name))
+        scan.header.stamp = stamp
+        return Deskewed(*walk_bag.cloud(points), scan)
 
     def _connect(self, static):
         methods = list(self.methods.values())
         heard = {topic: sum(LISTENS[method.name] == topic for method in methods) for topic in INPUTS}
         heard[walk_bag.SCAN] = heard["/tf_static"] = len(methods)
         self.steps = LockStep({topic: kind for topic, kind in INPUTS.items() if heard[topic]}, static,
-                              {f"/{name}/scan_points": PointCloud2 for name in self.methods}, heard, BURST)
+                              {topic: kind for name in self.methods for topic, kind in _outputs(name).items()}, heard, BURST)
         self.session.require(self.steps.connected, stage_run.PATIENCE, "the stages did not start", *self.launches)
 
     def close(self):
@@ -77,6 +84,10 @@ class DeskewStages:
             self.steps.close()
         for process in self.launches:
             self.session.end(process)
+
+
+def _outputs(name):
+    return {f"/{name}/scan_deskewed": LaserScan, f"/{name}/scan_points": PointCloud2}
 
 
 def _later(message, shift):

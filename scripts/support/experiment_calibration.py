@@ -1,19 +1,21 @@
-"""Quadruped paper (004), section 2.3: camera against LiDAR and against 2-D scanner, from boards at rest, beside the truth."""
+"""Quadruped paper (004), section 2.3: camera against LiDAR, 2-D scanner and inertial unit, from a board, beside the truth."""
 import csv
 import io
 import math
 import subprocess
 
 import numpy
-import rosbag
 import yaml
 
+import calibration_motion
 import calibration_world
 import figures
 import poses
+import sim_bag
 import stage_run
 
 TITLE = __doc__
+PARTS = ("lidar", "imu")
 POSES, QUICK_POSES = 30, 15
 RUNS, QUICK_RUNS = 200, 50
 CHI95 = 12.592  # 95 % of chi-square with 6 degrees of freedom
@@ -29,7 +31,8 @@ COLUMNS = ["seed", "sensor", "poses", "used", "rotation_deg", "translation_m", "
 
 
 def options(parser):
-    del parser  # none of its own
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS,
+                        help="lidar: camera against LiDAR and scanner; imu: camera against inertial unit (default: both)")
 
 
 def check(given):
@@ -37,14 +40,38 @@ def check(given):
 
 
 def run(experiment):
+    """Lines: tables, then figures."""
+    tables, lines = [], []
+    for part, told in (("lidar", _lidar), ("imu", _imu)):
+        if part in experiment.given.parts:
+            table, figures_of = told(experiment)
+            tables += table
+            lines += figures_of
+    return tables + lines
+
+
+def _imu(experiment):
+    rows = [calibration_motion.row(experiment, seed) for seed in experiment.seeds]
+    experiment.table("calibration_camera_imu", calibration_motion.COLUMNS, rows)
+    return list(calibration_motion.table(rows)), list(calibration_motion.lines(rows))
+
+
+def _lidar(experiment):
     rows = [row for seed in experiment.seeds for row in _seed(experiment, seed)]
     experiment.table("calibration", COLUMNS, rows)
     runs = {kind: _coverage(experiment, drawn) for kind, drawn in DRAWN.items()}
+    return list(_table(rows)), list(_lines(rows, runs))
+
+
+def _table(rows):
     yield "seed  sensor     poses  rotation  translation   stated    (one sigma)"
     for seed, kind, count, used, rotation, shift, sigma, sigma_shift, _ in rows:
         yield (f"{seed:4}  {kind}  {used:2} of {count}  {rotation:6.3f} deg  {1e3 * shift:6.1f} mm  "
                f"{sigma:6.3f} deg  {1e3 * sigma_shift:6.1f} mm")
     yield "The paper tells no error: its authors looked at overlays. coverage95 is of drawn boards that go to the solver alone."
+
+
+def _lines(rows, runs):
     for kind in SENSORS:
         mine = [row for row in rows if row[1] == kind]
         yield figures.worst(f"calibration/{kind}/rotation_error", [row[4] for row in mine], "deg")
@@ -72,38 +99,12 @@ def _calibrated(experiment, bag, seed, kind, count):
                    "--camera-info", "/camera/camera_info", "--lidar", topic, "--out", folder, *more, quiet=True)
     result = yaml.safe_load((folder / "calibration.yaml").read_text())
     found, covariance = numpy.array(result["T_camera_lidar"]), numpy.array(result["covariance"])
-    off = error(found, true_transform(bag, "camera_optical", frame))
+    off = poses.chart(found, sim_bag.true_transform(bag, "camera_optical", frame))
     variances = numpy.diag(covariance)
     used = sum(pose["used"] for pose in result["poses"])
     return [seed, kind, count, used, math.degrees(numpy.linalg.norm(off[:3])), float(numpy.linalg.norm(off[3:])),
             math.degrees(math.sqrt(variances[:3].sum())), math.sqrt(variances[3:].sum()),
             float(off @ numpy.linalg.solve(covariance, off))]
-
-
-def error(found, truth):
-    """(turn [rad], shift [m]) x with truth = found * motion(x), as the covariance is of."""
-    step = numpy.linalg.inv(found) @ truth
-    axis = numpy.array([step[2, 1] - step[1, 2], step[0, 2] - step[2, 0], step[1, 0] - step[0, 1]]) / 2
-    sine = numpy.linalg.norm(axis)
-    angle = math.atan2(sine, (numpy.trace(step[:3, :3]) - 1) / 2)
-    return numpy.concatenate([axis * (angle / sine if sine > 0 else 1.0), step[:3, 3]])
-
-
-def true_transform(bag_file, target, source):
-    """T_target_source by where the mounts truly are: all frames hang on the base by a chain."""
-    with rosbag.Bag(str(bag_file)) as bag:
-        transforms = [t for _, message, _ in bag.read_messages(topics=["/truth/tf_static"]) for t in message.transforms]
-    parents = {t.child_frame_id: (t.header.frame_id, poses.matrix(t.transform.translation, t.transform.rotation))
-               for t in transforms}
-
-    def in_base(frame):
-        T = numpy.eye(4)
-        while frame in parents:
-            frame, T_parent_frame = parents[frame]
-            T = T_parent_frame @ T
-        return T
-
-    return numpy.linalg.inv(in_base(target)) @ in_base(source)
 
 
 def _coverage(experiment, drawn):

@@ -1,34 +1,33 @@
 """The corridor of the quadruped paper, scanned on a walk, and the grids and lengths that its scans give."""
 import typing
 
-import corridor_map
-import corridor_match
-import dead_reckoning
+import corridor_length
 import figures
 import mdr_worlds
+import poses
+import slam_stage
 import walk_bag
 
 LENGTH = 30.0  # m
-EACH = 3  # so many scans are deskewed for one that enters the map: 0.2 m of the way
 PAPER = {"raw": 28.73, "vicp": 29.36, "imu": 29.22, "mdr": 29.67}  # m, its Table 1
 LEAD = {"vicp": 48.4, "imu": 57.7}  # % less error of mdr, likewise
-COLUMNS = ["seed", "scans", "top_m", "middle_m", "bottom_m", "mean_m", "mean_by_odometry_alone_m", "passed_on_raw"]
+COLUMNS = ["seed", "scans", "top_m", "middle_m", "bottom_m", "mean_m", "passed_on_raw"]
 
 
 class Row(typing.NamedTuple):
     seed: int
     kind: str
     lengths: dict  # {strip: m}
-    alone: float  # m, of the map in which scans lie where odometry says
     raw: int  # scans that were not deskewed
-    grid: corridor_map.Grid
+    map: corridor_length.Map
 
     @property
     def length(self):
-        return corridor_map.mean_length(self.lengths)
+        return corridor_length.mean_length(self.lengths)
 
 
 def run(experiment, stages):
+    """`stages()`: a context of DeskewStages, which end before others listen to the same transforms."""
     rows = []
     for seed in experiment.seeds:
         experiment.say(f"corridor, seed {seed}")
@@ -42,40 +41,53 @@ def _seed(experiment, stages, seed):
     bags = [experiment.bag(mdr_worlds.corridor(at_once), mdr_worlds.SECONDS["corridor"], seed, *mdr_worlds.MOUNTS)
             for at_once in (False, True)]
     swept, instant = map(walk_bag.read, bags)
-    kinds = ["raw", *stages.methods, "instant"]
-    maps, raw = {kind: (corridor_match.MatchedGrid(), corridor_map.Grid()) for kind in kinds}, dict.fromkeys(kinds, 0)
-    for i, (scan, place, answer) in enumerate(zip(swept.scans, dead_reckoning.places(swept), stages.play(swept))):
-        clouds = {"raw": walk_bag.returns(scan.message)[1], **{kind: deskewed.points for kind, deskewed in answer.items()}}
-        for kind, deskewed in answer.items():
-            raw[kind] += not deskewed.done
-        for kind, points in clouds.items() if i % EACH == 0 else ():
-            _add(maps[kind], place, points)
-    for scan, place in list(zip(instant.scans, dead_reckoning.places(instant)))[::EACH]:
-        _add(maps["instant"], place, walk_bag.returns(scan.message)[1])
+    with stages() as running:
+        scans, raw = _deskewed(swept, running)
+    scans["instant"] = [scan.message for scan in instant.scans]
     for bag in bags:
         experiment.done(bag)
-    return [Row(seed, kind, matched.grid.length(), corridor_map.mean_length(alone.length()), raw[kind], matched.grid)
-            for kind, (matched, alone) in maps.items()]
+    return [_row(experiment, seed, kind, of_kind, instant if kind == "instant" else swept, raw[kind])
+            for kind, of_kind in scans.items()]
 
 
-def _add(maps, place, points):
-    for grid in maps:
-        grid.add(*corridor_map.level(place, points))
+def _deskewed(walk, stages):
+    """Scans of each kind, and how many of them were passed on raw."""
+    scans = {kind: [] for kind in ("raw", *stages.methods)}
+    raw = dict.fromkeys((*scans, "instant"), 0)
+    for scan, answer in zip(walk.scans, stages.play(walk)):
+        scans["raw"].append(scan.message)
+        for kind, deskewed in answer.items():
+            scans[kind].append(deskewed.scan)
+            raw[kind] += not deskewed.done
+    return scans, raw
+
+
+def _row(experiment, seed, kind, scans, walk, raw):
+    fed = ((flat(walk.odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
+    grid = slam_stage.run_pairs(experiment, fed, walk.static, seed).grid
+    begin = walk.truth.at(walk.scans[0].begin)[:2, 3]  # there the map has its origin
+    drawn = corridor_length.Map(grid, begin)
+    return Row(seed, kind, drawn.lengths(), raw, drawn)
+
+
+def flat(T):
+    """x, y and yaw of a pose in space, as the robot's transforms tell them to a stage in the plane."""
+    return (*T[:2, 3], poses.yaw(T))
 
 
 def csv_rows(rows):
-    return [[row.seed, row.kind, *(f"{row.lengths[strip]:.4f}" for strip in corridor_map.STRIPS), f"{row.length:.4f}",
-             f"{row.alone:.4f}", row.raw] for row in rows]
+    return [[row.seed, row.kind, *(f"{row.lengths[strip]:.4f}" for strip in corridor_length.STRIPS), f"{row.length:.4f}", row.raw]
+            for row in rows]
 
 
 def table(rows):
-    yield "corridor of 30 m   length  its error    worst   top / middle / bottom, seed 1   by odometry alone   paper   its error"
+    yield "corridor of 30 m   length  its error    worst   top / middle / bottom, seed 1   paper   its error"
     for kind in dict.fromkeys(row.kind for row in rows):
         mine = [row for row in rows if row.kind == kind]
-        length, off, alone = (sum(values) / len(mine) for values in ([row.length for row in mine], errors(mine), alone_errors(mine)))
-        strips = " / ".join(f"{mine[0].lengths[strip]:.3f}" for strip in corridor_map.STRIPS)
+        length, off = (sum(values) / len(mine) for values in ([row.length for row in mine], errors(mine)))
+        strips = " / ".join(f"{mine[0].lengths[strip]:.3f}" for strip in corridor_length.STRIPS)
         paper = f"{PAPER[kind]:5.2f} m   {LENGTH - PAPER[kind]:5.2f} m" if kind in PAPER else "-"
-        yield f"{kind:14} {length:8.3f} m   {off:6.3f} m {max(errors(mine)):6.3f} m   {strips:27} m   {alone:15.3f} m   {paper}"
+        yield f"{kind:14} {length:8.3f} m   {off:6.3f} m {max(errors(mine)):6.3f} m   {strips:27} m   {paper}"
     for rival, lead in LEAD.items():
         if any(row.kind == rival for row in rows):
             less = 100 * (1 - mean_error(rows, "mdr") / mean_error(rows, rival))
@@ -84,10 +96,6 @@ def table(rows):
 
 def errors(rows):
     return [abs(row.length - LENGTH) for row in rows]
-
-
-def alone_errors(rows):
-    return [abs(row.alone - LENGTH) for row in rows]
 
 
 def mean_error(rows, kind):
@@ -102,4 +110,3 @@ def lines(rows):
             yield figures.mean(f"quadruped/corridor/{kind}_error", errors(of[kind]), "m")
     apart = [abs(mdr.length - instant.length) for mdr, instant in zip(of["mdr"], of["instant"])]
     yield figures.mean("quadruped/corridor/mdr_to_instant", apart, "m")
-    yield figures.mean("quadruped/corridor/mdr_error/odometry_alone", alone_errors(of["mdr"]), "m")

@@ -4,23 +4,22 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-import corridor_map  # noqa: E402
+import corridor_length  # noqa: E402
 import mdr_corridor  # noqa: E402
 import mdr_worlds  # noqa: E402
 
 NAMES = {"raw": "raw: no correction", "vicp": "VICP: velocity by scan matching", "imu": "IMU", "mdr": "odometry (MDR)",
          "instant": "ideal scanner: all beams at once"}
-EXTENT = (corridor_map.LOW[0], corridor_map.HIGH[0], corridor_map.LOW[1], corridor_map.HIGH[1])
 
 
 def maps(rows, file):
     """Of one seed. Black: occupied, white: seen free, grey: not seen; red: where the end walls truly are."""
     figure, axes = pyplot.subplots(len(rows), 3, figsize=(14, 1.75 * len(rows)), width_ratios=(1.2, 5.4, 1.2))
     for row, (west, whole, east) in zip(rows, axes):
-        grid = row.grid
-        shade = (grid.visits == 0) * 0.25 + grid.occupied() * 1.0
+        cells = row.map.cells
+        shade = (cells < 0) * 0.25 + (cells >= corridor_length.OCCUPIED) * 1.0
         for axis in (west, whole, east):
-            axis.imshow(shade.T, cmap="Greys", vmin=0, vmax=1, origin="lower", extent=EXTENT, interpolation="nearest")
+            axis.imshow(shade, cmap="Greys", vmin=0, vmax=1, origin="lower", extent=row.map.extent(), interpolation="nearest")
             axis.set(ylim=(-1.5, 1.5), aspect="equal", yticks=[-1, 0, 1] if axis is west else [])
             for wall in (-mdr_corridor.LENGTH / 2, mdr_corridor.LENGTH / 2):
                 axis.axvline(wall, color="red", linewidth=0.8)

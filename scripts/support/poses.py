@@ -48,3 +48,12 @@ def yaw(T):
 def polar(p):
     """(slant range [m], azimuth [rad], elevation [rad])."""
     return float(numpy.linalg.norm(p)), math.atan2(p[1], p[0]), math.atan2(p[2], math.hypot(p[0], p[1]))
+
+
+def chart(found, truth):
+    """(turn [rad], shift [m]) x with truth = found * motion(x), as the calibrations' covariances are of."""
+    step = numpy.linalg.inv(found) @ truth
+    axis = numpy.array([step[2, 1] - step[1, 2], step[0, 2] - step[2, 0], step[1, 0] - step[0, 1]]) / 2
+    sine = numpy.linalg.norm(axis)
+    angle = math.atan2(sine, (numpy.trace(step[:3, :3]) - 1) / 2)
+    return numpy.concatenate([axis * (angle / sine if sine > 0 else 1.0), step[:3, 3]])

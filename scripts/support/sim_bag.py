@@ -65,6 +65,23 @@ def static_transforms(bag_file):
         return next(message for _, message, _ in bag.read_messages(topics=["/tf_static"]))
 
 
+def true_transform(bag_file, target, source):
+    """T_target_source by where the mounts truly are: all frames hang on the base by a chain."""
+    with rosbag.Bag(str(bag_file)) as bag:
+        transforms = [t for _, message, _ in bag.read_messages(topics=["/truth/tf_static"]) for t in message.transforms]
+    parents = {t.child_frame_id: (t.header.frame_id, poses.matrix(t.transform.translation, t.transform.rotation))
+               for t in transforms}
+
+    def in_base(frame):
+        T = numpy.eye(4)
+        while frame in parents:
+            frame, T_parent_frame = parents[frame]
+            T = T_parent_frame @ T
+        return T
+
+    return numpy.linalg.inv(in_base(target)) @ in_base(source)
+
+
 class _Reader:
     def __init__(self, shift, wanted):
         self.shift, self.wanted, self.mount = genpy.Duration(shift), wanted, None

@@ -120,6 +120,14 @@ def _transform(pose, stamp):
 
 def run(experiment, bag_file, static, seed, scan_topic="/scan", every=1, changes=None):
     """The whole bag through a nodelet of its own."""
+    done = run_pairs(experiment, pairs(bag_file, scan_topic, every), static, seed, changes)
+    if not done:
+        raise SessionError(f"{bag_file} has no scan with odometry")
+    return done
+
+
+def run_pairs(experiment, fed, static, seed, changes=None):
+    """The same of (odom to base, scan); None without any."""
     values = {**stage_run.defaults("grid_slam"), "seed": seed, "hold_limit": 10.0, "map_update_interval": 0.0, **(changes or {})}
     for key, value in values.items():
         rospy.set_param(f"/{NAME}/grid_slam/{key}", value)
@@ -132,7 +140,7 @@ def run(experiment, bag_file, static, seed, scan_topic="/scan", every=1, changes
     steps = SlamSteps(static, values["tf_delay"])
     try:
         session.require(steps.connected, stage_run.PATIENCE, "grid_slam did not start", node)
-        return _feed(steps, Usage(session, f"/{NAME}/grid_slam"), latest, bag_file, scan_topic, every)
+        return _feed(steps, Usage(session, f"/{NAME}/grid_slam"), latest, fed)
     finally:
         steps.close()
         for subscriber in subscribers:
@@ -140,13 +148,13 @@ def run(experiment, bag_file, static, seed, scan_topic="/scan", every=1, changes
         session.end(node)
 
 
-def _feed(steps, usage, latest, bag_file, scan_topic, every):
+def _feed(steps, usage, latest, fed):
     began, odometry = usage.cpu(), []
-    for pose, scan in pairs(bag_file, scan_topic, every):
+    for pose, scan in fed:
         steps.scan(_transform(pose, scan.header.stamp), scan)
         odometry.append((scan.header.stamp.to_nsec(), pose))
     if not odometry:
-        raise SessionError(f"{bag_file} has no scan with odometry")
+        return None
     cpu = usage.cpu() - began
     # the map goes out after the path of the same scan
     whole = lambda: PATH in latest and MAP in latest and latest[PATH].header.stamp == latest[MAP].header.stamp

@@ -35,13 +35,9 @@ class Calibrator {
  public:
   explicit Calibrator(const Options& options)
       : options_(options), board_(core::parseBoard(options.board)), bag_(options.bag) {
-    image_ = bag_.topic(options.image, "--image", {"sensor_msgs/Image", "sensor_msgs/CompressedImage"});
     lidar_ = bag_.topic(options.lidar, "--lidar", {"sensor_msgs/PointCloud2", "sensor_msgs/LaserScan"});
-    const auto info =
-        bag_.first<sensor_msgs::CameraInfo>(bag_.topic(options.camera_info, "--camera-info", {"sensor_msgs/CameraInfo"}));
-    lens_ = lensOf(*info);
-    size_ = cv::Size(static_cast<int>(info->width), static_cast<int>(info->height));
-    frames_.camera = info->header.frame_id;
+    camera_ = cameraOf(bag_, options.image, options.camera_info);
+    frames_.camera = camera_.frame;
   }
 
   void run() {
@@ -54,19 +50,10 @@ class Calibrator {
 
  private:
   void findPoses() {
-    std::vector<core::Sighting> sightings;
     std::size_t seen = 0;
-    bag_.pictures(image_, [&](double stamp, const cv::Mat& image, std::size_t done, std::size_t all) {
-      showProgress(done, all, "pictures");
-      if (image.size() != size_) throw std::runtime_error(image_ + " has pictures of another size than camera info says");
-      if ((done - 1) % options_.every != 0) return;
-      ++seen;
-      cv::Mat grey;
-      cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-      if (const auto view = core::findBoard(grey, board_, lens_)) sightings.push_back({stamp, view->corners});
-    });
+    const auto sightings = sightingsOf(bag_, camera_, board_, options_.every, seen);
     for (const core::Rest& rest : core::findRests(sightings, options_.rest)) {
-      const auto view = core::locateBoard(rest.corners, board_, lens_);
+      const auto view = core::locateBoard(rest.corners, board_, camera_.lens);
       if (view) poses_.push_back({rest, *view, {}, "pose_" + std::to_string(poses_.size() + 1)});
     }
     std::cout << seen << " pictures, the whole board in " << sightings.size() << ", at rest in " << poses_.size()
@@ -116,11 +103,11 @@ class Calibrator {
     const Choice near = [&](const Resting& pose, const core::Cloud& cloud) {
       return core::returnsNear(cloud, board_, T_camera_lidar.inverse() * pose.view.T_camera_board, options_.search);
     };
-    const auto first = core::calibrate(board_, lens_, withReturns(near, true), T_camera_lidar, options_.noise);
+    const auto first = core::calibrate(board_, camera_.lens, withReturns(near, true), T_camera_lidar, options_.noise);
     const Choice on = [&](const Resting& pose, const core::Cloud& cloud) {
       return core::returnsOn(cloud, board_, first.T_camera_lidar.inverse() * pose.view.T_camera_board, options_.search);
     };
-    return core::calibrate(board_, lens_, withReturns(on, false), first.T_camera_lidar, options_.noise);
+    return core::calibrate(board_, camera_.lens, withReturns(on, false), first.T_camera_lidar, options_.noise);
   }
 
   /// From the poses in which one piece alone may be the board.
@@ -133,25 +120,26 @@ class Calibrator {
     if (poses.size() < 3)
       throw std::runtime_error("the board stands out alone in " + std::to_string(poses.size()) +
                                " poses of three at least: give the LiDAR's place by /tf_static in the bag");
-    return core::calibrateFromAnywhere(board_, lens_, poses, options_.noise).T_camera_lidar;
+    return core::calibrateFromAnywhere(board_, camera_.lens, poses, options_.noise).T_camera_lidar;
   }
 
   void write(const core::Calibration& found) {
     const std::filesystem::path out = options_.out;
     std::filesystem::create_directories(out);
-    writeLaunch(out / "static_transform.launch", found, frames_);
+    writeLaunch(out / "static_transform.launch", "calibrate_lidar_camera", found.T_camera_lidar.inverse(), frames_.lidar,
+                frames_.camera);
     writeYaml(out / "calibration.yaml", found, frames_);
     const Choice on = [&](const Resting& pose, const core::Cloud& cloud) {
       return core::returnsOn(cloud, board_, found.T_camera_lidar.inverse() * pose.view.T_camera_board, options_.search);
     };
     const auto marked = withReturns(on, false);
-    bag_.pictures(image_, [&](double stamp, const cv::Mat& image, std::size_t, std::size_t) {
+    bag_.pictures(camera_.image, [&](double stamp, const cv::Mat& image, std::size_t, std::size_t) {
       for (const Resting& pose : poses_) {
         if (stamp != pose.rest.end) continue;
         cv::Mat picture = image.clone();
         const auto own = std::find_if(marked.begin(), marked.end(), [&](auto& m) { return m.name == pose.name; });
         drawOverlay(picture, pose.scans.empty() ? core::Cloud() : pose.scans[0],
-                    own != marked.end() ? own->returns : std::vector<core::BoardReturn>(), lens_, found.T_camera_lidar);
+                    own != marked.end() ? own->returns : std::vector<core::BoardReturn>(), camera_.lens, found.T_camera_lidar);
         cv::imwrite((out / (pose.name + ".png")).string(), picture);
       }
     });
@@ -162,9 +150,8 @@ class Calibrator {
   const Options& options_;
   const core::Board board_;
   mutable CalibrationBag bag_;
-  std::string image_, lidar_;
-  core::CameraLens lens_;
-  cv::Size size_;
+  std::string lidar_;
+  BagCamera camera_;
   CalibrationFrames frames_;
   std::vector<Resting> poses_;
 };

@@ -1,22 +1,25 @@
 #pragma once
-// What calibrate_lidar_camera takes from a bag.
+// What the calibrations take from a bag.
 #include <cv_bridge/cv_bridge.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <functional>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <set>
 
-#include "field_fusion/core/calib/board.h"
+#include "field_fusion/core/calib/camera_imu.h"
 #include "field_fusion/core/cloud/deskew.h"
 #include "field_fusion/ros/cloud_message.h"
+#include "progress.h"
 
 namespace field_fusion {
 
@@ -66,6 +69,19 @@ class CalibrationBag {
       else if (const auto packed = m.instantiate<sensor_msgs::CompressedImage>())
         take(packed->header.stamp.toSec(), cv_bridge::toCvCopy(*packed, "bgr8")->image, done, view.size());
     }
+  }
+
+  /// Of an inertial unit, in their order; `frame` is that of the last.
+  std::vector<core::ImuReading> readings(const std::string& topic, std::string& frame) {
+    std::vector<core::ImuReading> out;
+    rosbag::View view(bag_, rosbag::TopicQuery(topic));
+    for (const rosbag::MessageInstance& m : view) {
+      const auto imu = m.instantiate<sensor_msgs::Imu>();
+      const auto &w = imu->angular_velocity, &a = imu->linear_acceleration;
+      out.push_back({imu->header.stamp.toSec(), {w.x, w.y, w.z}, {a.x, a.y, a.z}});
+      frame = imu->header.frame_id;
+    }
+    return out;
   }
 
   void frames(const std::string& topic, const std::function<void(const LaserFrame&)>& take) {
@@ -136,6 +152,42 @@ inline core::CameraLens lensOf(const sensor_msgs::CameraInfo& info) {
   for (const double d : lens.distortion)
     if (!std::isfinite(d)) throw std::runtime_error("camera info is not finite: D");
   return lens;
+}
+
+/// The camera of a recording.
+struct BagCamera {
+  std::string image, frame;  ///< topic of its pictures; as its camera info says
+  core::CameraLens lens;
+  cv::Size size;
+};
+
+/// By the options --image and --camera-info, both empty where there is only one.
+inline BagCamera cameraOf(CalibrationBag& bag, const std::string& image, const std::string& camera_info) {
+  BagCamera out;
+  out.image = bag.topic(image, "--image", {"sensor_msgs/Image", "sensor_msgs/CompressedImage"});
+  const auto info =
+      bag.first<sensor_msgs::CameraInfo>(bag.topic(camera_info, "--camera-info", {"sensor_msgs/CameraInfo"}));
+  out.lens = lensOf(*info), out.frame = info->header.frame_id;
+  out.size = cv::Size(static_cast<int>(info->width), static_cast<int>(info->height));
+  return out;
+}
+
+/// The corners in one of `every` pictures where the whole board is seen; `seen` gets the number looked at.
+inline std::vector<core::Sighting> sightingsOf(CalibrationBag& bag, const BagCamera& camera, const core::Board& board,
+                                               std::size_t every, std::size_t& seen) {
+  std::vector<core::Sighting> out;
+  seen = 0;
+  bag.pictures(camera.image, [&](double stamp, const cv::Mat& image, std::size_t done, std::size_t all) {
+    showProgress(done, all, "pictures");
+    if (image.size() != camera.size)
+      throw std::runtime_error(camera.image + " has pictures of another size than camera info says");
+    if ((done - 1) % every != 0) return;
+    ++seen;
+    cv::Mat grey;
+    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+    if (const auto view = core::findBoard(grey, board, camera.lens)) out.push_back({stamp, view->corners});
+  });
+  return out;
 }
 
 }  // namespace field_fusion

@@ -1,5 +1,5 @@
 #pragma once
-// What calibrate_lidar_camera writes: a launch file, a YAML file, a picture of each pose, a table.
+// What the calibrations write: a launch file and a YAML file; calibrate_lidar_camera a picture of each pose and a table, too.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -24,16 +24,16 @@ inline std::ofstream opened(const std::filesystem::path& file) {
   return out;
 }
 
-inline void writeLaunch(const std::filesystem::path& file, const core::Calibration& found,
-                        const CalibrationFrames& frames) {
-  const core::Transform T_lidar_camera = found.T_camera_lidar.inverse();
-  const Eigen::Vector3d p = T_lidar_camera.translation();
-  const Eigen::Quaterniond q(T_lidar_camera.linear());
+/// `program` found the camera in the frame of the other sensor.
+inline void writeLaunch(const std::filesystem::path& file, const std::string& program, const core::Transform& T_sensor_camera,
+                        const std::string& sensor, const std::string& camera) {
+  const Eigen::Vector3d p = T_sensor_camera.translation();
+  const Eigen::Quaterniond q(T_sensor_camera.linear());
   std::ofstream out = opened(file);
-  out << "<launch>\n  <!-- where calibrate_lidar_camera found the camera; nothing else may be a parent of its frame -->\n"
-      << "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"lidar_to_camera\"\n        args=\"" << p.x()
-      << ' ' << p.y() << ' ' << p.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w() << ' '
-      << frames.lidar << ' ' << frames.camera << "\"/>\n</launch>\n";
+  out << "<launch>\n  <!-- where " << program << " found the camera; nothing else may be a parent of its frame -->\n"
+      << "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"" << sensor << "_to_camera\"\n        args=\""
+      << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w() << ' ' << sensor
+      << ' ' << camera << "\"/>\n</launch>\n";
 }
 
 template <class Matrix>
@@ -81,15 +81,19 @@ inline void drawOverlay(cv::Mat& image, const core::Cloud& cloud, const std::vec
   if (!on.empty()) cv::rectangle(image, cv::boundingRect(on) + cv::Size(6, 6) - cv::Point(3, 3), {80, 255, 80}, 1);
 }
 
+inline void printTransform(const char* name, const core::Transform& T) {
+  const Eigen::Vector3d p = T.translation();
+  const Eigen::Quaterniond q(T.linear());
+  std::printf("%s: translation %.4f %.4f %.4f m, quaternion (x y z w) %.5f %.5f %.5f %.5f\n", name, p.x(), p.y(), p.z(), q.x(),
+              q.y(), q.z(), q.w());
+}
+
 inline void printTable(const core::Calibration& found) {
   std::printf("%-22s %8s %10s %10s %14s\n", "pose", "returns", "mean", "rms", "reprojection");
   for (const core::PoseResidual& pose : found.poses)
     std::printf("%-22s %8zu %7.1f mm %7.1f mm %11.2f px%s\n", pose.name.c_str(), pose.returns, 1e3 * pose.mean,
                 1e3 * pose.rms, pose.reprojection, pose.used ? "" : "  outlier, left out");
-  const Eigen::Vector3d p = found.T_camera_lidar.translation();
-  const Eigen::Quaterniond q(found.T_camera_lidar.linear());
-  std::printf("T_camera_lidar: translation %.4f %.4f %.4f m, quaternion (x y z w) %.5f %.5f %.5f %.5f\n", p.x(), p.y(),
-              p.z(), q.x(), q.y(), q.z(), q.w());
+  printTransform("T_camera_lidar", found.T_camera_lidar);
   std::printf("standard deviations: %.3f deg, %.1f mm\n", core::degrees(found.rotationSigma()),
               1e3 * found.translationSigma());
 }

@@ -12,7 +12,8 @@ from conftest import ROOT, rosrun
 
 sys.path.insert(0, str(ROOT / "scripts/support"))
 import calibration_world  # noqa: E402
-import experiment_calibration  # noqa: E402
+import poses  # noqa: E402
+import sim_bag  # noqa: E402
 
 POSES = 8
 TOPICS = ("--board", calibration_world.BOARD, "--image", "/camera/image_raw", "--camera-info", "/camera/camera_info")
@@ -44,8 +45,8 @@ def test_the_place_is_found_within_what_is_stated(bag, topic, frame, more, tmp_p
     assert done.returncode == 0, done.stdout + done.stderr
     result = yaml.safe_load((tmp_path / "out/calibration.yaml").read_text())
     assert (result["camera_frame"], result["lidar_frame"]) == ("camera_optical", frame)
-    truth = experiment_calibration.true_transform(bag, "camera_optical", frame)
-    off = experiment_calibration.error(numpy.array(result["T_camera_lidar"]), truth)
+    truth = sim_bag.true_transform(bag, "camera_optical", frame)
+    off = poses.chart(numpy.array(result["T_camera_lidar"]), truth)
     deviations = numpy.sqrt(numpy.diag(numpy.array(result["covariance"])))
     assert numpy.all(numpy.abs(off) < 5 * deviations)
     assert len(re.findall(r"^pose_\d+ ", done.stdout, re.M)) >= POSES - 1

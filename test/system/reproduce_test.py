@@ -100,6 +100,13 @@ def test_a_worse_odometry_leaves_more_of_the_walk(walked):
     assert worse["quadruped/walk/residual_rms"] > walked[0]["quadruped/walk/residual_rms"]
 
 
+@pytest.mark.parametrize("part, sensor, kind", [("imu", "imu", "camera_imu"), ("lidar", "lidar", "camera_3d")])
+def test_a_worse_sensor_is_calibrated_worse(part, sensor, kind):
+    usual, worse = (reproduced("--quick", "--parts", part, *more, name="calibration")[0] for more in ((), ("--degrade", f"{sensor}=4x")))
+    for what in ("rotation_error", "translation_error"):
+        assert worse[f"calibration/{kind}/{what}"] > usual[f"calibration/{kind}/{what}"]
+
+
 @pytest.fixture
 def untrained(tmp_path, monkeypatch):
     """A detector that has learnt nothing takes as long as another."""

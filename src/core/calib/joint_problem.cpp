@@ -109,13 +109,6 @@ struct Prior {
   }
 };
 
-/// Standard deviation of a normal distribution about 0 whose values have this median of their sizes.
-double sigmaOf(std::vector<double> sizes) {
-  constexpr double kMedianOfNormal = 0.6745;
-  if (sizes.empty()) return 0.0;
-  return median(std::move(sizes)) / kMedianOfNormal;
-}
-
 }  // namespace
 
 JointProblem::JointProblem(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
@@ -253,17 +246,17 @@ void JointProblem::measureNoise() {
       pixels.insert(pixels.end(), {std::abs(d.x()), std::abs(d.y())});
     }
   }
-  const double usual = sigmaOf(std::move(all));
+  const double usual = sigmaByMedian(std::move(all));
   for (PoseBlock& block : blocks_) {
     constexpr double kUsual = 50.0;  // returns that the noise of all poses counts for
     const double n = static_cast<double>(block.pose->returns.size());
-    const double own = block.range_sigma * sigmaOf(rangeErrors(block));
+    const double own = block.range_sigma * sigmaByMedian(rangeErrors(block));
     block.range_sigma =
         std::max(kLeastRange, std::sqrt((kUsual * usual * usual + n * own * own) / (kUsual + n)));
   }
   // six numbers were fitted to the corners of each pose
   const double freedom = 1.0 - 3.0 / static_cast<double>(corners_.size());
-  pixel_sigma_ = std::max(kLeastPixel, sigmaOf(std::move(pixels)) / std::sqrt(freedom));
+  pixel_sigma_ = std::max(kLeastPixel, sigmaByMedian(std::move(pixels)) / std::sqrt(freedom));
 }
 
 bool JointProblem::covariance(Eigen::Matrix<double, 6, 6>& out) {
