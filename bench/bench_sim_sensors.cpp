@@ -1,6 +1,4 @@
 // Beams and depth frames of the simulator a second, with every fault on, where the papers' robots stand.
-#include <chrono>
-
 #include "field_fusion/core/sim/sensor_models.h"
 #include "figure.h"
 
@@ -11,11 +9,6 @@ using namespace field_fusion::core::sim;
 
 constexpr int kRepeats = 41;
 const std::string kConfig = PROJECT_DIR "/config/";
-
-double wallMs() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>(now).count();
-}
 
 /// A world, and one sensor of its robot on its way.
 struct Bench {
@@ -78,9 +71,7 @@ void frames(const std::string& name, const std::string& mount, int threads) {
       std::get<DepthCameraParams>(sensorParams(kConfig + "sensors", bench.mount.model, shared)), 1);
   std::vector<double> rates;
   for (int i = 0; i < kRepeats; ++i) {
-    const double start = wallMs();
-    camera.frame(bench.caster, bench.pose, i / camera.params().rate);
-    rates.push_back(1e3 / (wallMs() - start));
+    rates.push_back(1e3 / bench::wallMs([&] { camera.frame(bench.caster, bench.pose, i / camera.params().rate); }));
   }
   bench::print("sim/depth_frames/" + name + "/" + std::to_string(threads) + "_threads",
                bench::medianFigure(rates), "1/s");

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <random>
@@ -38,6 +39,14 @@ double costMs(Job&& job) {
   const double start = threadMs();
   job();
   return threadMs() - start;
+}
+
+/// [ms] By the clock on the wall, of work that threads share.
+template <class Job>
+double wallMs(Job&& job) {
+  const auto start = std::chrono::steady_clock::now();
+  job();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 inline double median(std::vector<double> values) {

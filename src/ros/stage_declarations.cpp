@@ -4,12 +4,14 @@
 #include "field_fusion/ros/cloud_flow.h"
 #include "field_fusion/ros/costmap_feed.h"
 #include "field_fusion/ros/depth_scan_flow.h"
+#include "field_fusion/ros/fusion_flow.h"
 #include "field_fusion/ros/markers.h"
 #include "field_fusion/ros/merge_flow.h"
 #include "field_fusion/ros/scan_flow.h"
 #include "field_fusion/ros/sim_params.h"
 #include "field_fusion/ros/slam_params.h"
 #include "field_fusion/ros/stage_params.h"
+#include "field_fusion/ros/voxel_flow.h"
 
 namespace field_fusion {
 namespace {
@@ -36,6 +38,7 @@ const std::vector<StageDeclaration>& stageDeclarations() {
       declaration<core::ClusterParams>("cluster"),     declaration<core::DetectParams>("detect"),
       declaration<core::MatchParams>("match"),         declaration<MarkersParams>("markers"),
       declaration<CostmapParams>("costmap"),           declaration<SlamStageParams>("grid_slam"),
+      declaration<VoxelStageParams>("voxel_map"),      declaration<FusionStageParams>("map_fusion"),
       declaration<SimNodeParams>("sim"),
   };
   return all;

@@ -5,7 +5,7 @@ from conftest import ROOT
 from ros_session import RosSession
 
 STAGES = ["deskew_scan", "deskew_cloud", "depth_scan", "scan_merge", "filter", "ground", "cluster", "detect", "match", "markers",
-          "costmap", "grid_slam"]
+          "costmap", "grid_slam", "voxel_map", "map_fusion"]
 OWN = re.compile(r"parameter_(descriptions|updates)$|^/(rosout|diagnostics|tf|tf_static)$")
 
 

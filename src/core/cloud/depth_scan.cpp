@@ -4,15 +4,9 @@
 
 #include "field_fusion/core/base/checked.h"
 #include "field_fusion/core/base/fast_angle.h"
+#include "field_fusion/core/cloud/depth_points.h"
 
 namespace field_fusion::core {
-namespace {
-
-/// [m]; 0 or less where the pixel saw nothing.
-float metres(std::uint16_t millimetres) { return 0.001f * static_cast<float>(millimetres); }
-float metres(float depth) { return std::isfinite(depth) ? depth : 0.f; }
-
-}  // namespace
 
 void DepthScanner::setParams(const DepthScanParams& params) {
   params_ = checked(params);
@@ -109,7 +103,7 @@ DepthScanCounts DepthScanner::runImage(const DepthImage<Pixel>& image, const Sca
     const Eigen::Vector3f row = R.col(2) + R.col(1) * static_cast<float>((v - image.cy) / image.fy);
     const Pixel* pixel = image.pixels + static_cast<std::size_t>(v) * image.row;
     for (std::size_t u = 0; u < width; ++u) {
-      const float depth = metres(pixel[u]);
+      const float depth = depthMetres(pixel[u]);
       x_[u] = t.x() + depth * (row.x() + columns_[u].x());
       y_[u] = t.y() + depth * (row.y() + columns_[u].y());
       z_[u] = depth > 0.f ? t.z() + depth * (row.z() + columns_[u].z()) : kNaN;

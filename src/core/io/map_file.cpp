@@ -1,6 +1,5 @@
 #include "field_fusion/core/io/map_file.h"
 
-#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <fstream>
@@ -8,26 +7,12 @@
 #include <stdexcept>
 
 #include "field_fusion/core/base/params_text.h"
+#include "field_fusion/core/io/replace_file.h"
 
 namespace field_fusion::core {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Calls write(stream) and puts what came of it in the place of `file`.
-template <class Write>
-void replace(const fs::path& file, const Write& write) {
-  fs::path part = file;
-  part += "." + std::to_string(::getpid()) + ".part";
-  std::ofstream out(part, std::ios::binary);
-  write(out);
-  out.close();
-  std::error_code failed;
-  if (out) fs::rename(part, file, failed);
-  if (out && !failed) return;
-  fs::remove(part, failed);
-  throw std::runtime_error("cannot write " + file.string());
-}
 
 /// As map_saver draws: 0 a wall, 254 free, 205 unknown. The first row is that of the largest y.
 void writePicture(std::ostream& out, const Occupancy& map) {
@@ -82,8 +67,8 @@ void writeMap(const fs::path& yaml, const Occupancy& map) {
   if (yaml.extension() != ".yaml") throw std::runtime_error("a map's name ends in .yaml: '" + yaml.string() + "'");
   if (map.cells.empty()) throw std::runtime_error("there is no map yet");
   const fs::path picture = fs::path(yaml).replace_extension(".pgm");
-  replace(picture, [&](std::ostream& out) { writePicture(out, map); });
-  replace(yaml, [&](std::ostream& out) {
+  replaceFile(picture, [&](std::ostream& out) { writePicture(out, map); });
+  replaceFile(yaml, [&](std::ostream& out) {
     out << "image: " << picture.filename().string() << "\nresolution: " << floatText(map.resolution) << "\norigin: ["
         << floatText(map.x) << ", " << floatText(map.y) << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   });

@@ -1,0 +1,23 @@
+#include "field_fusion/core/io/replace_file.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace field_fusion::core {
+
+void replaceFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+  std::filesystem::path part = file;
+  part += "." + std::to_string(::getpid()) + ".part";
+  std::ofstream out(part, std::ios::binary);
+  write(out);
+  out.close();
+  std::error_code failed;
+  if (out) std::filesystem::rename(part, file, failed);
+  if (out && !failed) return;
+  std::filesystem::remove(part, failed);
+  throw std::runtime_error("cannot write " + file.string());
+}
+
+}  // namespace field_fusion::core

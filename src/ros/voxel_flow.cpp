@@ -1,0 +1,74 @@
+#include "field_fusion/ros/voxel_flow.h"
+
+#include "field_fusion/core/cloud/depth_points.h"
+#include "field_fusion/core/io/octree_file.h"
+#include "field_fusion/ros/depth_message.h"
+#include "field_fusion/ros/grid_message.h"
+#include "field_fusion/ros/voxel_markers.h"
+
+namespace field_fusion {
+
+void VoxelFlow::setParams(const VoxelStageParams& params) {
+  if (map_) {
+    map_->setLive(params.map);
+    params_ = params;
+    return;
+  }
+  params_ = params;
+  reset();
+}
+
+void VoxelFlow::reset() {
+  map_ = std::make_unique<core::VoxelMap>(params_.map);
+  if (!params_.map_file.empty()) core::readOctree(params_.map_file, *map_);
+  header_ = {}, map_sent_ = {}, voxels_sent_ = {};
+  header_.frame_id = params_.map_frame;
+}
+
+void VoxelFlow::run(const CloudMessage& cloud, const TfCache& tf) { insert(cloud.points, cloud.header, tf); }
+
+void VoxelFlow::run(const sensor_msgs::Image& image, const CameraModel& camera, const TfCache& tf) {
+  withDepth(image, camera.pinhole(),
+            [&](const auto& depth) { core::depthPoints(depth, params_.image_step, points_); });
+  insert(points_, image.header, tf);
+}
+
+void VoxelFlow::insert(const core::Cloud& cloud, const std_msgs::Header& header, const TfCache& tf) {
+  const core::Transform T_map_sensor = tf.lookup(params_.map_frame, header);
+  if (params_.thin) thin_.run(cloud, params_.map.resolution, thinned_);
+  counts_ = map_->insert(params_.thin ? thinned_ : cloud, T_map_sensor);
+  header_.stamp = header.stamp;
+  sensor_ = T_map_sensor.translation();
+  map_->keepAbout(sensor_.x(), sensor_.y());
+}
+
+bool VoxelFlow::isDue(ros::Time& sent, double interval) {
+  if (!sent.isZero() && (header_.stamp - sent).toSec() < interval) return false;
+  sent = header_.stamp;
+  return true;
+}
+
+boost::shared_ptr<nav_msgs::OccupancyGrid> VoxelFlow::projected() const {
+  const double side = params_.projected_size;
+  return gridMessage(header_, side > 0.0 ? map_->projectAbout(sensor_.x(), sensor_.y(), side) : map_->project());
+}
+
+boost::shared_ptr<visualization_msgs::MarkerArray> VoxelFlow::voxels() const { return voxelMarkers(header_, *map_); }
+
+void VoxelFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) const try {
+  core::writeOctree(request.file, *map_);
+  answer.success = true;
+} catch (const std::runtime_error& e) {
+  answer.message = e.what();
+}
+
+void VoxelFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  status.add("last cloud: points", counts_.points);
+  status.add("last cloud: of them beyond the range", counts_.far);
+  status.add("last cloud: unusable", counts_.unusable);
+  status.add("last cloud: voxels occupied", counts_.occupied);
+  status.add("last cloud: voxels free", counts_.free);
+  status.add("map: cubes of 8 x 8 x 8 voxels", map_->store().size());
+}
+
+}  // namespace field_fusion
