@@ -6,11 +6,10 @@
 #include <geometry_msgs/PoseArray.h>
 #include <std_msgs/Float64.h>
 
-#include "core/map/room.h"
 #include "field_fusion/SaveMap.h"
 #include "field_fusion/core/io/map_file.h"
-#include "field_fusion/ros/scan_message.h"
 #include "support/frames.h"
+#include "support/room_robot.h"
 #include "support/stage_probe.h"
 #include "support/temp_folder.h"
 
@@ -29,23 +28,9 @@ class GridSlamStage : public testing::Test {
     ASSERT_TRUE(spinUntil([this] { return scan_.connected() && map_.connected() && path_.connected(); }));
   }
 
-  sensor_msgs::LaserScan scan(const std::string& frame, int beams = 360) const {
-    core::Scan out;
-    out.angle_increment = core::radians(360.0) / beams, out.range_max = 40.0;
-    for (int k = 0; k < beams; ++k) {
-      const bool upside = frame == "upside";
-      const double angle = upside ? core::radians(90.0) - out.angle(k) : out.angle(k);
-      const core::Pose2 at = truth_ * core::Pose2{0.3, 0.0, 0.0};
-      out.ranges.push_back(static_cast<float>(roomRange(at.x, at.y, at.yaw + angle)));
-    }
-    std_msgs::Header header;
-    header.frame_id = frame, header.stamp.fromSec(now_);
-    return *scanMessage(header, out);
-  }
-  void walk() {
-    now_ += 0.1;
-    truth_ = truth_ * core::Pose2{0.1, 0.0, 0.08}, odom_ = odom_ * core::Pose2{0.103, 0.0, 0.078};
-  }
+  void TearDown() override { last_ = now_; }
+
+  sensor_msgs::LaserScan scan(const std::string& frame, int beams = 360) const { return robot_.scan(frame, beams); }
   void send(const sensor_msgs::LaserScan& message) {
     frames_.send(now_, "odom", "base", solid(odom_));
     scan_.send(message);
@@ -62,7 +47,7 @@ class GridSlamStage : public testing::Test {
   }
   bool steps(int count, const std::string& frame = "laser", int beams = 360) {
     for (int i = 0; i < count; ++i) {
-      walk(), send(scan(frame, beams));
+      robot_.walk(), send(scan(frame, beams));
       if (!taken()) return false;
     }
     return true;
@@ -85,8 +70,10 @@ class GridSlamStage : public testing::Test {
     return walls;
   }
 
-  static inline double now_ = 1e6;
-  core::Pose2 truth_{0.0, -1.0, 0.0}, odom_ = truth_;
+  RoomRobot robot_{last_};
+  double& now_ = robot_.now;
+  core::Pose2 &truth_ = robot_.truth, &odom_ = robot_.odom;
+  static inline double last_ = 1e6;  // stamp of the test before
   Frames frames_;
   Sender<sensor_msgs::LaserScan> scan_{"scan"};
   Received<nav_msgs::OccupancyGrid> map_{"map"}, local_{"local_map"};
@@ -141,12 +128,12 @@ TEST_F(GridSlamStage, ScansOfAnotherSizeAndBlindOnes) {
   ASSERT_TRUE(begins());
   ASSERT_TRUE(steps(5));
   ASSERT_TRUE(steps(5, "laser", 181));
-  walk();
+  robot_.walk();
   auto blind = scan("laser");
   std::fill(blind.ranges.begin(), blind.ranges.end(), core::kFree);
   send(blind);
   EXPECT_LT(off(), 0.1) << "odometry goes on";
-  auto damaged = (walk(), scan("laser"));
+  auto damaged = (robot_.walk(), scan("laser"));
   damaged.range_max = -1.f;
   send(damaged);
   EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("grid_slam", "scan: dropped, scan damaged").empty(); }));
@@ -158,7 +145,7 @@ TEST_F(GridSlamStage, AJumpOfOdometryIsNoMotion) {
   ASSERT_TRUE(begins());
   ASSERT_TRUE(steps(5));
   odom_.x += 10.0;
-  walk(), send(scan("laser"));  // its own step is lost: it is not yet due
+  robot_.walk(), send(scan("laser"));  // its own step is lost: it is not yet due
   ASSERT_TRUE(steps(5));
   EXPECT_LT(off(), 0.06);
   EXPECT_TRUE(spinUntil([&] { return diagnostics_.value("grid_slam", "jumps of the odometry") == "1"; }));
@@ -166,7 +153,7 @@ TEST_F(GridSlamStage, AJumpOfOdometryIsNoMotion) {
 
 TEST_F(GridSlamStage, MissingTransformIsNamedAndABagMayLoop) {
   ASSERT_TRUE(begins());
-  walk();
+  robot_.walk();
   scan_.send(scan("nowhere"));
   EXPECT_TRUE(spinUntil([&] { return !diagnostics_.value("grid_slam", "scan: dropped, no transform").empty(); }));
   ASSERT_TRUE(begins());

@@ -1,5 +1,7 @@
 #include "field_fusion/core/map/nearest_field.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 
 namespace field_fusion::core {
@@ -14,30 +16,31 @@ struct Surroundings {
   const Neighbourhood& tiles;
   std::array<std::uint64_t, kSide> rows{};  // bit x: occupied
 
-  const Cell& cell(int x, int y) const {
+  /// [cells] mean of the hits of an occupied cell, from the corner of the surroundings.
+  Eigen::Vector2f mean(int x, int y) const {
     const int u = x + kTileSide - kMargin, v = y + kTileSide - kMargin;  // from the corner of the first tile
-    return tiles[v / kTileSide * 3 + u / kTileSide]->at(u, v);
+    const Cell cell = tiles[v / kTileSide * 3 + u / kTileSide]->at(u, v);
+    return {x + 0.5f + cell.x / (2.f * Cell::kHalf), y + 0.5f + cell.y / (2.f * Cell::kHalf)};
   }
 };
 
 void addTile(Surroundings& out, const Tile& tile, int left, int bottom) {
   constexpr std::uint64_t kInside = (std::uint64_t{1} << kSide) - 1;
   for (int y = std::max(0, bottom); y < std::min(kSide, bottom + kTileSide); ++y) {
-    const std::uint64_t row = tile.occupied[y - bottom];
+    const std::uint64_t row = tile.occupied()[y - bottom];
     out.rows[y] |= (left < 0 ? row >> -left : row << left) & kInside;
   }
 }
 
 /// Direction of the wall through an occupied cell: the smaller principal axis of the hits around it.
-void addNormal(const Surroundings& s, int x, int y, Nearest& out) {
+void addNormal(const Surroundings& s, int x, int y, Wall& out) {
   float n = 0.f, sx = 0.f, sy = 0.f, sxx = 0.f, sxy = 0.f, syy = 0.f;
   for (int v = -2; v <= 2; ++v) {
     std::uint64_t bits = s.rows[y + v] >> (x - 2) & 0x1f;
     for (; bits != 0; bits &= bits - 1) {
       const int u = __builtin_ctzll(bits) - 2;
-      const Cell& cell = s.cell(x + u, y + v);
-      const float px = static_cast<float>(u) + cell.x / (2.f * Cell::kHalf);
-      const float py = static_cast<float>(v) + cell.y / (2.f * Cell::kHalf);
+      const Eigen::Vector2f mean = s.mean(x + u, y + v);
+      const float px = mean.x() - static_cast<float>(x), py = mean.y() - static_cast<float>(y);
       n += 1.f, sx += px, sy += py, sxx += px * px, sxy += px * py, syy += py * py;
     }
   }
@@ -48,9 +51,7 @@ void addNormal(const Surroundings& s, int x, int y, Nearest& out) {
   // the major axis is at half the angle of (a, b); its normal a right angle on
   const float c = std::sqrt(0.5f * (1.f + a / spread));
   const float along = std::copysign(std::sqrt(std::max(0.f, 1.f - c * c)), b);
-  out.nx = static_cast<std::int8_t>(std::lround(-127.f * along));
-  out.ny = static_cast<std::int8_t>(std::lround(127.f * c));
-  out.kind = Nearest::kLine;
+  out.nx = -along, out.ny = c;
 }
 
 /// For one row of the surroundings, the occupied cell of that row that is nearest to each of the tile's columns.
@@ -87,53 +88,53 @@ Row nearestRows(const Surroundings& s, const std::array<RowNearest, kSide>& rows
   return best;
 }
 
-/// The walls through occupied cells, each computed once.
-class Walls {
- public:
-  explicit Walls(const Surroundings& s) : s_(s) {}
+}  // namespace
 
-  const Nearest& at(int x, int y) {
-    Nearest& wall = walls_[y][x];
-    if ((known_[y] >> x & 1) == 0) {
-      known_[y] |= std::uint64_t{1} << x;
-      const Cell& cell = s_.cell(x, y);
-      wall = {static_cast<std::int16_t>(cell.x / 32), static_cast<std::int16_t>(cell.y / 32), 0, 0, Nearest::kPoint};
-      addNormal(s_, x, y, wall);
+class FieldMaker {
+ public:
+  FieldMaker(const Surroundings& s, NearestField& field) : s_(s), field_(field) {}
+
+  void fill() {
+    std::array<RowNearest, kSide> rows;
+    for (int y = kMargin - kReach; y < kSide - kMargin + kReach; ++y)
+      if (s_.rows[y] != 0) fillRow(s_.rows[y], rows[y]);
+    for (int y = 0; y < kTileSide; ++y) {
+      const Row best = nearestRows(s_, rows, y);
+      for (int x = 0; x < kTileSide; ++x) {
+        if (best[x] >= 32 * (kReach * kReach + 1)) continue;
+        const int v = best[x] % 32 - kReach, u = rows[y + kMargin + v].offset[x];
+        field_.set(y * kTileSide + x, wall(x + kMargin + u, y + kMargin + v));
+      }
     }
-    return wall;
+    field_.walls_.shrink_to_fit();
   }
 
  private:
+  /// Number of the wall through an occupied cell of the surroundings; each is computed once.
+  std::uint16_t wall(int x, int y) {
+    std::uint16_t& number = number_[y][x];
+    if (number == 0) {
+      const Eigen::Vector2f mean = s_.mean(x, y);
+      field_.walls_.push_back({mean.x() - kMargin, mean.y() - kMargin});
+      addNormal(s_, x, y, field_.walls_.back());
+      number = static_cast<std::uint16_t>(field_.walls_.size());
+    }
+    return number;
+  }
+
   const Surroundings& s_;
-  std::array<std::uint64_t, kSide> known_{};
-  std::array<std::array<Nearest, kSide>, kSide> walls_;
+  NearestField& field_;
+  std::array<std::array<std::uint16_t, kSide>, kSide> number_{};
 };
 
-void fillTile(const Surroundings& s, NearestField& field) {
-  std::array<RowNearest, kSide> rows;
-  for (int y = kMargin - kReach; y < kSide - kMargin + kReach; ++y)
-    if (s.rows[y] != 0) fillRow(s.rows[y], rows[y]);
-  Walls walls(s);
-  for (int y = 0; y < kTileSide; ++y) {
-    const Row best = nearestRows(s, rows, y);
-    for (int x = 0; x < kTileSide; ++x) {
-      if (best[x] >= 32 * (kReach * kReach + 1)) continue;
-      const int v = best[x] % 32 - kReach, u = rows[y + kMargin + v].offset[x];
-      Nearest& out = field.cells[y * kTileSide + x];
-      out = walls.at(x + kMargin + u, y + kMargin + v);
-      out.x = static_cast<std::int16_t>(out.x + 2048 * u), out.y = static_cast<std::int16_t>(out.y + 2048 * v);
-    }
-  }
-}
-
-}  // namespace
-
 boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles) {
+  static const boost::intrusive_ptr<NearestField> kNothing(new NearestField);
   Surroundings s{tiles};
   for (int k = 0; k < 9; ++k)
     if (tiles[k]) addTile(s, *tiles[k], kMargin + (k % 3 - 1) * kTileSide, kMargin + (k / 3 - 1) * kTileSide);
+  if (std::all_of(s.rows.begin(), s.rows.end(), [](std::uint64_t row) { return row == 0; })) return kNothing;
   boost::intrusive_ptr<NearestField> field(new NearestField);
-  if (std::any_of(s.rows.begin(), s.rows.end(), [](std::uint64_t row) { return row != 0; })) fillTile(s, *field);
+  FieldMaker(s, *field).fill();
   return field;
 }
 

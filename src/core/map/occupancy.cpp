@@ -29,10 +29,10 @@ const Occupancy& OccupancyDrawer::update(const TileMap& map) {
     slots_[at].turn = turn_;
     if (slots_[at].revision == tile.revision) return;
     slots_[at].revision = tile.revision;
-    draw(map, &tile, at);
+    draw(&tile, at);
   });
   for (std::size_t at = 0; at < slots_.size(); ++at)
-    if (slots_[at].turn != turn_ && slots_[at].revision != 0) slots_[at].revision = 0, draw(map, nullptr, at);
+    if (slots_[at].turn != turn_ && slots_[at].revision != 0) slots_[at].revision = 0, draw(nullptr, at);
   return picture_;
 }
 
@@ -60,14 +60,13 @@ void OccupancyDrawer::cover(const TileMap& map) {
   x0_ = x0, y0_ = y0, columns_ = x1 - x0, rows_ = y1 - y0;
 }
 
-void OccupancyDrawer::draw(const TileMap& map, const Tile* tile, std::size_t slot) {
+void OccupancyDrawer::draw(const Tile* tile, std::size_t slot) {
   ++drawn_;
   const std::size_t column = slot % columns_, row = slot / columns_;
   for (int y = 0; y < kTileSide; ++y) {
     std::int8_t* out = &picture_.cells[(row * kTileSide + y) * picture_.width + column * kTileSide];
     for (int x = 0; x < kTileSide; ++x) {
-      const Cell cell = tile ? tile->at(x, y) : Cell();
-      out[x] = cell.visits == 0 ? kUnknownCell : map.isOccupied(cell) ? kWallCell : kFreeCell;
+      out[x] = !tile || !tile->seen(x, y) ? kUnknownCell : tile->isOccupied(x, y) ? kWallCell : kFreeCell;
     }
   }
 }
@@ -80,9 +79,8 @@ Occupancy occupancyAbout(const TileMap& map, double resolution, double x, double
   out.cells.reserve(static_cast<std::size_t>(cells) * cells);
   for (int v = 0; v < cells; ++v)
     for (int u = 0; u < cells; ++u) {
-      const Cell* cell = map.cell(x0 + u, y0 + v);
-      const bool known = cell && cell->visits > 0;
-      out.cells.push_back(known ? static_cast<std::int8_t>(std::lround(100.f * cell->probability())) : kUnknownCell);
+      const Cell cell = map.cell(x0 + u, y0 + v);
+      out.cells.push_back(cell.visits > 0 ? static_cast<std::int8_t>(std::lround(100.f * cell.probability())) : kUnknownCell);
     }
   return out;
 }
@@ -99,11 +97,9 @@ TileMap tileMapOf(const Occupancy& picture, double resolution, float occupied) {
     if (value == kUnknownCell) continue;
     const int x = x0 + static_cast<int>(i % picture.width), y = y0 + static_cast<int>(i / picture.width);
     Tile& tile = map.writable({x >> kTileBits, y >> kTileBits});
-    Cell& cell = tile.at(x, y);
-    tile.revision = kLoaded, cell.visits = kBeams;
-    if (value < 50) continue;
-    cell.hits = kBeams;
-    tile.occupied[y & (kTileSide - 1)] |= 1u << (x & (kTileSide - 1));
+    const bool wall = value >= 50;
+    tile.revision = kLoaded;
+    tile.set(x, y, {wall ? kBeams : std::uint16_t{0}, kBeams, 0, 0}), tile.setOccupied(x, y, wall);
   }
   return map;
 }

@@ -20,39 +20,37 @@ class ScanInsertion::Writer {
       : map_(map), revision_(revision), changed_(changed) {}
 
   void visit(int x, int y) {
-    Cell& cell = at(x, y);
-    if (cell.hits == 0) return cell.visit();
-    const bool before = map_.isOccupied(cell);
-    cell.visit();
-    if (before && !map_.isOccupied(cell)) flip(x, y);
+    Tile& tile = at(x, y);
+    tile.visit(x, y);
+    if (tile.isOccupied(x, y) && !map_.isOccupied(tile.at(x, y))) flip(tile, x, y);
   }
 
   void hit(int x, int y, float dx, float dy) {
-    Cell& cell = at(x, y);
-    const bool before = map_.isOccupied(cell);
-    const Cell old = cell;
-    cell.hit(dx, dy);
-    const bool moved = std::abs(cell.x - old.x) > kMoved || std::abs(cell.y - old.y) > kMoved;
-    if (map_.isOccupied(cell) != before)
-      flip(x, y);
-    else if (before && moved)
+    Tile& tile = at(x, y);
+    const Cell old = tile.at(x, y);
+    tile.hit(x, y, dx, dy);
+    const Cell cell = tile.at(x, y);
+    const bool occupied = tile.isOccupied(x, y), moved = std::abs(cell.x - old.x) > kMoved || std::abs(cell.y - old.y) > kMoved;
+    if (map_.isOccupied(cell) != occupied)
+      flip(tile, x, y);
+    else if (occupied && moved)
       changed_.push_back({x, y});
   }
 
  private:
-  Cell& at(int x, int y) {
+  Tile& at(int x, int y) {
     const int tile_x = x >> kTileBits, tile_y = y >> kTileBits;
     if (!tile_ || tile_x != place_.x || tile_y != place_.y) {
       place_ = {tile_x, tile_y};
       tile_ = &map_.writable(place_);
       tile_->revision = revision_;
     }
-    return tile_->at(x, y);
+    return *tile_;
   }
 
   /// A wall that comes or goes.
-  void flip(int x, int y) {
-    tile_->occupied[y & (kTileSide - 1)] ^= 1u << (x & (kTileSide - 1));
+  void flip(Tile& tile, int x, int y) {
+    tile.setOccupied(x, y, !tile.isOccupied(x, y));
     changed_.push_back({x, y});
   }
 

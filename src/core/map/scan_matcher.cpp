@@ -21,13 +21,12 @@ struct Miss {
   bool wall = true;
 
   template <class Hit>
-  Miss(const Nearest& nearest, int x, int y, float px, float py, const Hit& hit, float c, float s) {
-    const float dx = px - (static_cast<float>(x) + 0.5f) - Nearest::kUnit * nearest.x;
-    const float dy = py - (static_cast<float>(y) + 0.5f) - Nearest::kUnit * nearest.y;
-    const bool line = nearest.kind == Nearest::kLine;
+  Miss(const Wall& nearest, int x, int y, float px, float py, const Hit& hit, float c, float s) {
+    const float dx = px - FieldWindow::tileCorner(x) - nearest.x, dy = py - FieldWindow::tileCorner(y) - nearest.y;
+    const bool line = nearest.line();
     const float own_x = c * hit.nx - s * hit.ny, own_y = s * hit.nx + c * hit.ny;
     const bool own = hit.nx != 0.f || hit.ny != 0.f;
-    nx = line ? nearest.nx / 127.f : own_x, ny = line ? nearest.ny / 127.f : own_y;
+    nx = line ? nearest.nx : own_x, ny = line ? nearest.ny : own_y;
     const bool inside = own && std::abs(nx * own_x + ny * own_y) > 0.9f;  // of a wall, for map and scan alike
     wall = line || own;
     if (!wall) nx = 1.f;
@@ -87,7 +86,7 @@ double ScanMatcher::priorCost(const Vector& v) const {
 /// Beyond the end of what is known of a wall, the wall goes on where nobody has looked yet: no reason to pull the
 /// scan back.
 template <class... Where>
-auto ScanMatcher::missAt(const Nearest& nearest, int x, int y, const Where&... where) const {
+auto ScanMatcher::missAt(const Wall& nearest, int x, int y, const Where&... where) const {
   Miss miss(nearest, x, y, where...);
   if (miss.along != 0.f && miss.wall && !window_.seen(x, y)) miss.along = 0.f;
   return miss;
@@ -102,12 +101,11 @@ double ScanMatcher::cost(const Vector& v, float outlier) {
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     const float px = c * hits_[i].x - s * hits_[i].y + x0, py = s * hits_[i].x + c * hits_[i].y + y0;
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
-    const Nearest* nearest = window_.nearest(x, y);
-    if (nearest && nearest->kind != Nearest::kNone) {
+    if (const Wall* nearest = window_.nearest(x, y)) {
       const float r2 = missAt(*nearest, x, y, px, py, hits_[i], c, s).squared();
       sum += limit * r2 / (limit + r2);
     } else {
-      sum += nearest && window_.seen(x, y) ? limit : static_cast<float>(kUnseen) * limit;
+      sum += window_.seen(x, y) ? limit : static_cast<float>(kUnseen) * limit;
     }
   }
   score_ = static_cast<double>(hits_.size()) - sum / limit;
@@ -122,8 +120,8 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     const float vx = c * hits_[i].x - s * hits_[i].y, vy = s * hits_[i].x + c * hits_[i].y, px = vx + x0, py = vy + y0;
     const int x = static_cast<int>(px), y = static_cast<int>(py);  // the window's coordinates are positive
-    const Nearest* nearest = window_.nearest(x, y);
-    if (!nearest || nearest->kind == Nearest::kNone) continue;
+    const Wall* nearest = window_.nearest(x, y);
+    if (!nearest) continue;
     const Miss miss = missAt(*nearest, x, y, px, py, hits_[i], c, s);
     const float share = limit / (limit + miss.squared()), weight = share * share;
     const auto add = [&](float r, float jx, float jy) {
@@ -147,12 +145,13 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
 float ScanMatcher::roughCost(int dx, int dy, float limit) {
   float sum = 0.f;
   for (const RoughPoint& p : rough_) {
-    const Nearest* nearest = window_.nearest(p.x + dx, p.y + dy);
-    if (!nearest || nearest->kind == Nearest::kNone) {
-      sum += limit;
-    } else {
-      const float u = p.dx - Nearest::kUnit * nearest->x, v = p.dy - Nearest::kUnit * nearest->y;
+    const int x = p.cell_x + dx, y = p.cell_y + dy;
+    if (const Wall* nearest = window_.nearest(x, y)) {
+      const float u = p.x + static_cast<float>(dx) - FieldWindow::tileCorner(x) - nearest->x;
+      const float v = p.y + static_cast<float>(dy) - FieldWindow::tileCorner(y) - nearest->y;
       sum += std::min(limit, u * u + v * v);
+    } else {
+      sum += limit;
     }
   }
   return sum;
@@ -193,8 +192,7 @@ void ScanMatcher::turnRough(double yaw, std::size_t stride) {
   rough_.clear();
   for (std::size_t i = 0; i < hits_.size(); i += stride) {
     const float px = c * hits_[i].x - s * hits_[i].y + x0, py = s * hits_[i].x + c * hits_[i].y + y0;
-    const int x = static_cast<int>(px), y = static_cast<int>(py);
-    rough_.push_back({x, y, px - (static_cast<float>(x) + 0.5f), py - (static_cast<float>(y) + 0.5f)});
+    rough_.push_back({static_cast<int>(px), static_cast<int>(py), px, py});
   }
 }
 

@@ -19,9 +19,9 @@ const Tile* TileMap::tile(TilePlace place) const {
   return found ? found->tile.get() : nullptr;
 }
 
-const Cell* TileMap::cell(int x, int y) const {
+Cell TileMap::cell(int x, int y) const {
   const Tile* found = tile({x >> kTileBits, y >> kTileBits});
-  return found ? &found->at(x, y) : nullptr;
+  return found ? found->at(x, y) : Cell();
 }
 
 Tile& TileMap::writable(TilePlace place) { return own(writableSlot(place).tile); }
@@ -51,7 +51,7 @@ void TileMap::cover(int block_x, int block_y) {
 }
 
 const NearestField& TileMap::field(TilePlace place) {
-  static const boost::intrusive_ptr<NearestField> kNothing(new NearestField);
+  static const NearestField kNothing;
   if (const Slot* found = slot(place); found && found->field) return *found->field;
   Neighbourhood around;
   bool any = false;
@@ -59,7 +59,7 @@ const NearestField& TileMap::field(TilePlace place) {
     around[k] = tile({place.x + k % 3 - 1, place.y + k / 3 - 1});
     any = any || around[k];
   }
-  if (!any) return *kNothing;
+  if (!any) return kNothing;
   auto made = nearestField(around);
   Slot& kept = writableSlot(place);
   kept.field = std::move(made);

@@ -17,8 +17,8 @@ void expectDrawn(const Occupancy& picture, const TileMap& map) {
   const int y0 = static_cast<int>(std::lround(picture.y / picture.resolution));
   ASSERT_EQ(picture.cells.size(), static_cast<std::size_t>(picture.width) * picture.height);
   for (int i = 0; i < picture.width * picture.height; ++i) {
-    const Cell* cell = map.cell(x0 + i % picture.width, y0 + i / picture.width);
-    const int expected = !cell || cell->visits == 0 ? -1 : map.isOccupied(*cell) ? 100 : 0;
+    const Cell cell = map.cell(x0 + i % picture.width, y0 + i / picture.width);
+    const int expected = cell.visits == 0 ? -1 : map.isOccupied(cell) ? 100 : 0;
     ASSERT_EQ(picture.cells[i], expected) << i;
   }
   map.forEach([&](TilePlace p, const Tile&, const NearestField*) {
@@ -61,9 +61,10 @@ TEST(OccupancyDrawer, CostsWhatHasChangedNotWhatIsThere) {
 
 TEST(Occupancy, AboutAPlaceIsHitsByVisits) {
   TileMap map;
-  Cell& cell = map.writable({0, 0}).at(3, 5);
-  cell.hit(0.f, 0.f), cell.visit(), cell.visit(), cell.visit();
-  map.writable({-1, 0}).at(-1, 5).visit();
+  Tile& tile = map.writable({0, 0});
+  tile.hit(3, 5, 0.f, 0.f);
+  for (int i = 0; i < 3; ++i) tile.visit(3, 5);
+  map.writable({-1, 0}).visit(-1, 5);
   const Occupancy about = occupancyAbout(map, 0.1, 0.0, 0.5, 1.0);  // cells [-5, 5) x [0, 10)
   ASSERT_EQ(about.width, 10);
   EXPECT_DOUBLE_EQ(about.x, -0.5);
@@ -78,10 +79,10 @@ TEST(TileMapOf, IsDrawnAsItCame) {
   picture.cells[0] = kWallCell, picture.cells[41] = kFreeCell, picture.cells[119] = kWallCell;
   const TileMap map = tileMapOf(picture, 0.05, 0.25f);
   const Occupancy about = occupancyAbout(map, 0.05, 0.0, 0.575, 2.0);
-  EXPECT_TRUE(map.isOccupied(*map.cell(-20, 10)));
-  EXPECT_FALSE(map.isOccupied(*map.cell(-19, 11)));
-  EXPECT_TRUE(map.isOccupied(*map.cell(19, 12)));
-  EXPECT_TRUE(map.tile({0, 0})->occupied[12] & (1u << 19)) << "the matcher sees it";
+  EXPECT_TRUE(map.isOccupied(map.cell(-20, 10)));
+  EXPECT_FALSE(map.isOccupied(map.cell(-19, 11)));
+  EXPECT_TRUE(map.isOccupied(map.cell(19, 12)));
+  EXPECT_TRUE(map.tile({0, 0})->isOccupied(19, 12)) << "the matcher sees it";
   EXPECT_EQ(std::count(about.cells.begin(), about.cells.end(), kUnknownCell), 40 * 40 - 3);
   EXPECT_THROW(tileMapOf(picture, 0.1, 0.25f), std::runtime_error) << "another resolution";
   picture.x = -1.02;

@@ -13,21 +13,60 @@
 namespace field_fusion::core {
 namespace {
 
-TEST(Cell, IsHitsByVisitsAndKeepsTheMeanOfItsHits) {
-  Cell cell;
-  EXPECT_TRUE(std::isnan(cell.probability()));
-  cell.hit(0.2f, -0.4f), cell.visit(), cell.hit(0.4f, 0.2f), cell.visit();
+TEST(Tile, CellsAreHitsByVisitsAndKeepTheMeanOfTheirHits) {
+  Tile tile;
+  EXPECT_TRUE(std::isnan(tile.at(3, 5).probability()));
+  EXPECT_FALSE(tile.seen(3, 5));
+  tile.hit(3, 5, 0.2f, -0.4f), tile.visit(3, 5), tile.hit(3, 5, 0.4f, 0.2f), tile.visit(3, 5);
+  const Cell cell = tile.at(3, 5);
   EXPECT_FLOAT_EQ(cell.probability(), 0.5f);
   EXPECT_NEAR(cell.x / (2.f * Cell::kHalf), 0.3f, 1e-4f);
   EXPECT_NEAR(cell.y / (2.f * Cell::kHalf), -0.1f, 1e-4f);
+  EXPECT_TRUE(tile.seen(3, 5));
 }
 
-TEST(Cell, KeepsItsProbabilityWhenItsCountsAreFull) {
-  Cell cell;
-  for (int i = 0; i < 300000; ++i) i % 4 == 0 ? cell.hit(0.5f, -0.5f) : cell.visit();
+TEST(Tile, CellsKeepTheirProbabilityWhenTheirCountsAreFull) {
+  Tile tile;
+  for (int i = 0; i < 300000; ++i) i % 4 == 0 ? tile.hit(-1, 31, 0.5f, -0.5f) : tile.visit(-1, 31);
+  const Cell cell = tile.at(-1, 31);
   EXPECT_NEAR(cell.probability(), 0.25f, 1e-3f);
   EXPECT_EQ(cell.x, 32767);
   EXPECT_EQ(cell.y, -32767);
+}
+
+TEST(Tile, WhatWasNeverHitCountsUpTo255) {
+  Tile tile;
+  for (int i = 0; i < 1000; ++i) tile.visit(0, 0);
+  EXPECT_EQ(tile.at(0, 0).visits, 255);
+  tile.hit(0, 0, 0.f, 0.f);
+  EXPECT_EQ(tile.at(0, 0).visits, 256);
+  EXPECT_EQ(tile.at(0, 0).hits, 1);
+}
+
+/// In any order of hits, whatever cells of the tile have been hit before.
+TEST(Tile, EveryCellHasItsOwnHits) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> place(-32, -1);
+  Tile tile;
+  std::map<std::pair<int, int>, std::pair<int, int>> plain;  // hits, visits
+  for (int step = 0; step < 3000; ++step) {
+    const int x = place(random), y = place(random);
+    auto& [hits, visits] = plain[{x, y}];
+    ++visits;
+    if (step % 3 == 0)
+      ++hits, tile.hit(x, y, 0.01f * static_cast<float>(x), 0.01f * static_cast<float>(y));
+    else
+      tile.visit(x, y);
+  }
+  for (const auto& [at, counts] : plain) {
+    const Cell cell = tile.at(at.first, at.second);
+    EXPECT_EQ(cell.hits, counts.first);
+    EXPECT_EQ(cell.visits, counts.second);
+    EXPECT_EQ(tile.wasHit(at.first, at.second), counts.first > 0);
+    if (counts.first == 0) continue;
+    EXPECT_NEAR(cell.x / (2.f * Cell::kHalf), 0.01f * static_cast<float>(at.first), 1e-4f);
+    EXPECT_NEAR(cell.y / (2.f * Cell::kHalf), 0.01f * static_cast<float>(at.second), 1e-4f);
+  }
 }
 
 /// What a copy of every cell would hold.
@@ -36,14 +75,10 @@ using Plain = std::map<std::pair<int, int>, int>;
 void expectEqual(const TileMap& map, const Plain& plain) {
   std::size_t known = 0;
   map.forEach([&](TilePlace, const Tile& tile, const NearestField*) {
-    for (const Cell& cell : tile.cells) known += cell.visits > 0;
+    for (int i = 0; i < kTileCells; ++i) known += tile.seen(i % kTileSide, i / kTileSide);
   });
   EXPECT_EQ(known, plain.size());
-  for (const auto& [at, visits] : plain) {
-    const Cell* cell = map.cell(at.first, at.second);
-    ASSERT_TRUE(cell);
-    EXPECT_EQ(cell->visits, visits);
-  }
+  for (const auto& [at, visits] : plain) EXPECT_EQ(map.cell(at.first, at.second).visits, visits);
 }
 
 TEST(TileMap, CopiesBehaveAsDeepCopies) {
@@ -58,7 +93,7 @@ TEST(TileMap, CopiesBehaveAsDeepCopies) {
       continue;
     }
     const int x = place(random), y = place(random);
-    maps[i].writable({x >> kTileBits, y >> kTileBits}).at(x, y).visit();
+    maps[i].writable({x >> kTileBits, y >> kTileBits}).visit(x, y);
     ++plains[i][{x, y}];
   }
   for (std::size_t i = 0; i < maps.size(); ++i) expectEqual(maps[i], plains[i]);
@@ -94,9 +129,7 @@ TileMap randomWalls(std::mt19937& random, int count) {
   for (int i = 0; i < count; ++i) {
     const int x = place(random), y = place(random);
     Tile& tile = map.writable({x >> kTileBits, y >> kTileBits});
-    tile.at(x, y) = Cell{};
-    tile.at(x, y).hit(0.25f, -0.25f);
-    tile.occupied[y & (kTileSide - 1)] |= 1u << (x & (kTileSide - 1));
+    tile.hit(x, y, 0.25f, -0.25f), tile.setOccupied(x, y, true);
   }
   return map;
 }
@@ -106,7 +139,7 @@ int bruteDistance(const TileMap& map, int x, int y) {
   int least = std::numeric_limits<int>::max();
   for (int v = -NearestField::kReach; v <= NearestField::kReach; ++v)
     for (int u = -NearestField::kReach; u <= NearestField::kReach; ++u)
-      if (const Cell* cell = map.cell(x + u, y + v); cell && cell->hits > 0) least = std::min(least, u * u + v * v);
+      if (map.cell(x + u, y + v).hits > 0) least = std::min(least, u * u + v * v);
   return least <= NearestField::kReach * NearestField::kReach ? least : -1;
 }
 
@@ -116,12 +149,12 @@ TEST(NearestField, FindsWhatASearchOfAllCellsFinds) {
     TileMap map = randomWalls(random, count);
     for (int y = -100; y < 100; ++y)
       for (int x = -100; x < 100; ++x) {
-        const Nearest& found = map.field({x >> kTileBits, y >> kTileBits}).at(x, y);
+        const Wall* found = map.field({x >> kTileBits, y >> kTileBits}).at(x, y);
         const int expected = bruteDistance(map, x, y);
-        ASSERT_EQ(found.kind != Nearest::kNone, expected >= 0) << x << " " << y;
-        if (expected < 0) continue;
+        ASSERT_EQ(found != nullptr, expected >= 0) << x << " " << y;
+        if (!found) continue;
         // hits lie at (0.25, -0.25) from the middle of their cells
-        const float u = found.x * Nearest::kUnit - 0.25f, v = found.y * Nearest::kUnit + 0.25f;
+        const float u = found->x - 0.25f - static_cast<float>(x & 31) - 0.5f, v = found->y + 0.25f - static_cast<float>(y & 31) - 0.5f;
         ASSERT_NEAR(u * u + v * v, static_cast<float>(expected), 0.02f) << x << " " << y;
       }
   }
@@ -135,9 +168,9 @@ TEST(NearestField, KnowsTheNormalOfAStraightWall) {
     for (double t = -1.0; t <= 1.0; t += 0.01) scan.hits.push_back({Eigen::Vector2f(t * c, t * s)});
     TileMap map;
     ScanInsertion().insert(scan, {}, 0.05, 1, map);
-    const Nearest& found = map.field({0, 0}).at(0, 0);
-    ASSERT_EQ(found.kind, Nearest::kLine) << angle;
-    EXPECT_NEAR(std::abs(-s * found.nx + c * found.ny) / 127.0, 1.0, 0.01) << angle;
+    const Wall* found = map.field({0, 0}).at(0, 0);
+    ASSERT_TRUE(found && found->line()) << angle;
+    EXPECT_NEAR(std::abs(-s * found->nx + c * found->ny), 1.0, 0.01) << angle;
   }
 }
 

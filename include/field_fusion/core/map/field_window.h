@@ -16,19 +16,22 @@ class FieldWindow {
   double cornerX() const { return corner_.x * double{kTileSide}; }  ///< [cells of the map]
   double cornerY() const { return corner_.y * double{kTileSide}; }
 
-  /// Of cell (x, y) of the window; null outside.
-  const Nearest* nearest(int x, int y) {
+  /// Of cell (x, y) of the window, with its coordinates from the corner of the tile that the cell is in; null: nothing
+  /// is near, or outside.
+  const Wall* nearest(int x, int y) {
     const auto tx = static_cast<unsigned>(x >> kTileBits), ty = static_cast<unsigned>(y >> kTileBits);
     if (tx >= side_ || ty >= side_) return nullptr;
     const NearestField*& field = fields_[ty * side_ + tx];
     if (!field) field = &map_->field({corner_.x + static_cast<int>(tx), corner_.y + static_cast<int>(ty)});
-    return &field->at(x, y);
+    return field->at(x, y);
   }
+  /// [cells] of the tile's corner, from the window's.
+  static float tileCorner(int x) { return static_cast<float>(x & ~(kTileSide - 1)); }
 
   /// Whether a beam has ever been in cell (x, y) of the window.
   bool seen(int x, int y) const {
-    const Cell* cell = map_->cell(x + corner_.x * kTileSide, y + corner_.y * kTileSide);
-    return cell && cell->visits > 0;
+    const Tile* tile = map_->tile({corner_.x + (x >> kTileBits), corner_.y + (y >> kTileBits)});
+    return tile && tile->seen(x, y);
   }
 
  private:

@@ -34,7 +34,7 @@ class OccupancyDrawer {
     std::uint64_t turn = 0;      // of the last update that had a tile here
   };
   void cover(const TileMap& map);
-  void draw(const TileMap& map, const Tile* tile, std::size_t slot);
+  void draw(const Tile* tile, std::size_t slot);
 
   Occupancy picture_;
   int x0_ = 0, y0_ = 0, columns_ = 0, rows_ = 0;  // [tiles]

@@ -52,8 +52,8 @@ class ScanMatcher {
   };
 
   struct RoughPoint {
-    int x, y;      // cell of the window
-    float dx, dy;  // [cells] from its middle
+    int cell_x, cell_y;  // of the window
+    float x, y;          // [cells] likewise
   };
 
   struct Hit {     // in the robot's frame
@@ -67,7 +67,7 @@ class ScanMatcher {
   void setPrior(const PosePrior& prior);
   double priorCost(const Vector& v) const;
   template <class... Where>
-  auto missAt(const Nearest& nearest, int x, int y, const Where&... where) const;
+  auto missAt(const Wall& nearest, int x, int y, const Where&... where) const;
   double cost(const Vector& v, float outlier);
   Normal normal(const Vector& v, float outlier);
   Vector search(const PosePrior& prior);

@@ -24,7 +24,8 @@ class TileMap {
 
   /// Null where nothing is known.
   const Tile* tile(TilePlace place) const;
-  const Cell* cell(int x, int y) const;
+  /// Without visits where nothing is known.
+  Cell cell(int x, int y) const;
 
   /// For writing: shared with no other map. Throws std::out_of_range beyond kMaxCell.
   Tile& writable(TilePlace place);
