@@ -107,6 +107,15 @@ def test_a_worse_sensor_is_calibrated_worse(part, sensor, kind):
         assert worse[f"calibration/{kind}/{what}"] > usual[f"calibration/{kind}/{what}"]
 
 
+def test_the_depth_camera_adds_what_lies_below_the_scanner(tmp_path):
+    figures, said = reproduced("--quick", "--out", tmp_path, name="quadruped")
+    assert figures["pmf/obstacles/lidar_found"][0] <= 4, "four lie below its beams or between them"
+    assert figures["pmf/obstacles/pmf_found"] == (8.0, "-")
+    assert figures["pmf/phantom_cells"][0] <= 0.01
+    assert re.search(r"^PMF +1 +8 +stool chair football blue_cone ", said, re.M)
+    assert (tmp_path / "quadruped_maps_1.png").stat().st_size > 1000
+
+
 @pytest.fixture
 def untrained(tmp_path, monkeypatch):
     """A detector that has learnt nothing takes as long as another."""
