@@ -1,5 +1,5 @@
-// Insertion of depth frames into the voxel map beside OctoMap's own (paper 004, map B), frame by frame in turns. The
-// maps are compared first: same voxels, same log-odds.
+// Insertion of depth frames into the voxel map beside OctoMap's own (paper 004, map B), frame by frame in
+// turns. The maps are compared first: same voxels, same log-odds.
 #include "../test/support/octomap_reference.h"
 #include "field_fusion/core/cloud/voxel.h"
 #include "field_fusion/core/sim/sensor_models.h"
@@ -38,12 +38,14 @@ core::Cloud cloudOf(const core::sim::DepthImage& image) {
 
 Frame placed(const core::Cloud& cloud, const core::Transform& T_world_sensor) {
   Frame out;
-  for (const core::Point& p : cloud) out.points.push_back((T_world_sensor * p.position().cast<double>()).cast<float>());
+  for (const core::Point& p : cloud)
+    out.points.push_back((T_world_sensor * p.position().cast<double>()).cast<float>());
   out.sensor = T_world_sensor.translation().cast<float>();
   return out;
 }
 
-/// The depth camera of the quadruped in its laboratory, each frame thinned to a point a voxel, and to every sixth pixel.
+/// The depth camera of the quadruped in its laboratory, each frame thinned to a point a voxel, and to every
+/// sixth pixel.
 void record(std::vector<Frame>& voxels, std::vector<Frame>& sixths, double resolution) {
   using namespace core::sim;
   const World world = loadWorld(kConfig + "worlds/quad_lab.yaml");
@@ -65,7 +67,8 @@ void record(std::vector<Frame>& voxels, std::vector<Frame>& sixths, double resol
   }
 }
 
-/// Two maps of ours, by one thread and by all cores: CPU time of the first, time on the wall of the second, beside OctoMap's.
+/// Two maps of ours, by one thread and by all cores: CPU time of the first, time on the wall of the second,
+/// beside OctoMap's.
 bool measure(const std::vector<Frame>& frames, const std::string& name) {
   core::VoxelMapParams params;
   params.window = 0.0, params.max_range = kRange;
@@ -76,7 +79,9 @@ bool measure(const std::vector<Frame>& frames, const std::string& name) {
   std::vector<double> ours, ours_shared, theirs, ratios, ratios_one, points;
   for (const Frame& frame : frames) {
     const auto cloud = test::octomapCloud(frame.points);
-    const auto insert = [&] { tree.insertPointCloud(cloud, test::octomapPoint(frame.sensor), params.max_range); };
+    const auto insert = [&] {
+      tree.insertPointCloud(cloud, test::octomapPoint(frame.sensor), params.max_range);
+    };
     double their_cpu = 0.0;
     theirs.push_back(bench::wallMs([&] { their_cpu = bench::costMs(insert); }));
     ours.push_back(bench::costMs([&] { map.insert(frame.points, frame.sensor); }));
@@ -86,8 +91,10 @@ bool measure(const std::vector<Frame>& frames, const std::string& name) {
     points.push_back(static_cast<double>(frame.points.size()));
   }
   const auto compared = test::difference(map, tree), compared_shared = test::difference(shared, tree);
-  std::printf("%s: %.0f points a frame (median), %zu frames; %zu voxels in the end, %zu and %zu of them different\n", name.c_str(),
-              bench::median(points), frames.size(), compared.voxels, compared.different, compared_shared.different);
+  std::printf(
+      "%s: %.0f points a frame (median), %zu frames; %zu voxels in the end, %zu and %zu of them different\n",
+      name.c_str(), bench::median(points), frames.size(), compared.voxels, compared.different,
+      compared_shared.different);
   const auto print = [&](const std::string& what, const std::vector<double>& values, const char* unit) {
     bench::print("voxel/insert_" + name + "/" + what, bench::medianFigure(values), unit);
   };

@@ -16,7 +16,8 @@ class MapFusionNodelet : public StageNodelet<FusionStageParams> {
     fused_ = output<nav_msgs::OccupancyGrid>("fused_map", true);
     local_ = output<nav_msgs::OccupancyGrid>("fused_local_map");
     input<nav_msgs::OccupancyGrid>("map", [this](const auto& map) { flow_.addMap(*map), send(); });
-    input<nav_msgs::OccupancyGrid>("projected_map", [this](const auto& map) { flow_.addProjected(*map), send(); });
+    input<nav_msgs::OccupancyGrid>("projected_map",
+                                   [this](const auto& map) { flow_.addProjected(*map), send(); });
   }
 
   void onParams() override { flow_.setParams(params()); }

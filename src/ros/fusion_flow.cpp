@@ -30,8 +30,12 @@ core::Occupancy FusionFlow::checked(const nav_msgs::OccupancyGrid& map) const {
   const auto& q = map.info.origin.orientation;
   if (!(std::abs(q.x) + std::abs(q.y) + std::abs(q.z) < 1e-6))
     throw std::runtime_error("map turned: its cells do not lie along x and y");
-  return {std::round(map.info.resolution * 1e6) * 1e-6, map.info.origin.position.x, map.info.origin.position.y,
-                         static_cast<int>(map.info.width), static_cast<int>(map.info.height), map.data};
+  return {std::round(map.info.resolution * 1e6) * 1e-6,
+          map.info.origin.position.x,
+          map.info.origin.position.y,
+          static_cast<int>(map.info.width),
+          static_cast<int>(map.info.height),
+          map.data};
 }
 
 void FusionFlow::taken(const nav_msgs::OccupancyGrid& map, double& shift) {
@@ -58,7 +62,9 @@ bool FusionFlow::isDue() {
   return true;
 }
 
-boost::shared_ptr<nav_msgs::OccupancyGrid> FusionFlow::fused() const { return gridMessage(header_, fusion_.map()); }
+boost::shared_ptr<nav_msgs::OccupancyGrid> FusionFlow::fused() const {
+  return gridMessage(header_, fusion_.map());
+}
 
 boost::shared_ptr<nav_msgs::OccupancyGrid> FusionFlow::local(const TfCache& tf) {
   lost_ = !tf.has(header_.frame_id, params_.base_frame, header_.stamp);
@@ -71,7 +77,9 @@ void FusionFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) c
   using diagnostic_msgs::DiagnosticStatus;
   if (maps_ == 0 && projected_ > 0) status.mergeSummary(DiagnosticStatus::WARN, "no map A yet");
   if (projected_ == 0 && maps_ > 0) status.mergeSummary(DiagnosticStatus::WARN, "no map B yet");
-  if (lost_) status.mergeSummary(DiagnosticStatus::WARN, "TF does not know " + params_.base_frame + " in " + header_.frame_id);
+  if (lost_)
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        "TF does not know " + params_.base_frame + " in " + header_.frame_id);
   status.add("maps A", maps_);
   status.add("maps B", projected_);
   status.add("map A: moved to the nearest cell by [cells]", map_shift_);

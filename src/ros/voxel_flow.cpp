@@ -50,10 +50,13 @@ bool VoxelFlow::isDue(ros::Time& sent, double interval) {
 
 boost::shared_ptr<nav_msgs::OccupancyGrid> VoxelFlow::projected() const {
   const double side = params_.projected_size;
-  return gridMessage(header_, side > 0.0 ? map_->projectAbout(sensor_.x(), sensor_.y(), side) : map_->project());
+  return gridMessage(header_,
+                     side > 0.0 ? map_->projectAbout(sensor_.x(), sensor_.y(), side) : map_->project());
 }
 
-boost::shared_ptr<visualization_msgs::MarkerArray> VoxelFlow::voxels() const { return voxelMarkers(header_, *map_); }
+boost::shared_ptr<visualization_msgs::MarkerArray> VoxelFlow::voxels() const {
+  return voxelMarkers(header_, *map_);
+}
 
 void VoxelFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) const try {
   core::writeOctree(request.file, *map_);

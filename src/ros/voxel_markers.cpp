@@ -17,13 +17,16 @@ std_msgs::ColorRGBA colour(float red, float green, float blue) {
 /// From blue (0) by green (0.5) to red (1); grey above.
 std_msgs::ColorRGBA colourOf(double share) {
   if (share > 1.0) return colour(0.5f, 0.5f, 0.5f);
-  const auto ramp = [share](double middle) { return static_cast<float>(std::clamp(1.5 - std::abs(4.0 * share - middle), 0.0, 1.0)); };
+  const auto ramp = [share](double middle) {
+    return static_cast<float>(std::clamp(1.5 - std::abs(4.0 * share - middle), 0.0, 1.0));
+  };
   return colour(ramp(3.0), ramp(2.0), ramp(1.0));
 }
 
 }  // namespace
 
-boost::shared_ptr<visualization_msgs::MarkerArray> voxelMarkers(const std_msgs::Header& header, const core::VoxelMap& map) {
+boost::shared_ptr<visualization_msgs::MarkerArray> voxelMarkers(const std_msgs::Header& header,
+                                                                const core::VoxelMap& map) {
   const auto out = boost::make_shared<visualization_msgs::MarkerArray>();
   auto& marker = out->markers.emplace_back();
   marker.header = header, marker.ns = "voxels";

@@ -1,4 +1,5 @@
-// Two maps over topics: a wall that the scanner sees and a low box that the camera sees, and what goes wrong on a robot.
+// Two maps over topics: a wall that the scanner sees and a low box that the camera sees, and what goes wrong
+// on a robot.
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 
@@ -11,7 +12,8 @@ namespace {
 class MapFusionStage : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(spinUntil([this] { return a_.connected() && b_.connected() && fused_.connected() && local_.connected(); }));
+    ASSERT_TRUE(spinUntil(
+        [this] { return a_.connected() && b_.connected() && fused_.connected() && local_.connected(); }));
     static double start = 100000.0;
     now_ = start -= 1000.0;  // a time jump, which clears what the test before has left
   }
@@ -49,7 +51,8 @@ class MapFusionStage : public testing::Test {
   }
 
   bool counts(const std::string& kind) {
-    return spinUntil([&] { return !diagnostics_.value("map_fusion", "projected_map: dropped, " + kind).empty(); });
+    return spinUntil(
+        [&] { return !diagnostics_.value("map_fusion", "projected_map: dropped, " + kind).empty(); });
   }
 
   double now_ = 0.0;
@@ -103,12 +106,14 @@ TEST_F(MapFusionStage, MapsOfAnotherFrameOrResolutionAreRefusedAndNothingIsLost)
 
 TEST_F(MapFusionStage, TheLocalMapIsAboutTheRobot) {
   ASSERT_TRUE(begins({100, 0, 0, -1}));
-  ASSERT_TRUE(askUntil([this] { return local_.last && local_.last->header.stamp == ros::Time(now_); }, [this] {
-    now_ += 0.1;
-    for (const double stamp : {now_ - 0.05, now_ + 0.05})
-      frames_.send(stamp, "map", "base", core::Transform(Eigen::Translation3d(3.0, 1.0, 0.0)));
-    a_.send(grid({100, 0, 0, -1}));
-  }));
+  ASSERT_TRUE(askUntil([this] { return local_.last && local_.last->header.stamp == ros::Time(now_); },
+                       [this] {
+                         now_ += 0.1;
+                         for (const double stamp : {now_ - 0.05, now_ + 0.05})
+                           frames_.send(stamp, "map", "base",
+                                        core::Transform(Eigen::Translation3d(3.0, 1.0, 0.0)));
+                         a_.send(grid({100, 0, 0, -1}));
+                       }));
   EXPECT_NEAR(local_.last->info.origin.position.x, -2.0, 0.03);
   EXPECT_NEAR(local_.last->info.origin.position.y, -4.0, 0.03);
   EXPECT_EQ(local_.last->info.width, 200u);

@@ -26,7 +26,8 @@ class VoxelMapStage : public testing::Test {
     frames_.sendStatic("base", "sensor", core::Transform(Eigen::Translation3d(0.0, 0.0, 0.3)));
     frames_.sendStatic("base", "camera", cameraAt(0.0, 0.3, 0.0));
     ASSERT_TRUE(spinUntil([this] {
-      return cloud_.connected() && image_.connected() && info_.connected() && map_.connected() && by_image_.connected();
+      return cloud_.connected() && image_.connected() && info_.connected() && map_.connected() &&
+             by_image_.connected();
     }));
     static double start = 1000.0;
     now_ = start += 1000.0;
@@ -96,7 +97,8 @@ TEST_F(VoxelMapStage, WallIsOccupiedAndTheWayToItFree) {
 }
 
 TEST_F(VoxelMapStage, FollowsTheRobot) {
-  T_map_base_ = core::Transform(Eigen::Translation3d(30.0, 5.0, 0.0) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
+  T_map_base_ = core::Transform(Eigen::Translation3d(30.0, 5.0, 0.0) *
+                                Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
   ASSERT_TRUE(sees(2.02));
   EXPECT_GE(cellAt(*map_.last, 29.98, 7.02), 50);
   EXPECT_NEAR(map_.last->info.origin.position.x, 25.0, 0.051) << "a square of 10 m about the sensor";
@@ -108,18 +110,21 @@ TEST_F(VoxelMapStage, AnImageSaysTheSame) {
   room.width = 160, room.height = 120, room.focal = 100.0, room.wall = 2.02;
   room.T_base_camera = cameraAt(0.0, 0.3, 0.0);
   const auto pixels = room.pixels<std::uint16_t>(0.001);
-  ASSERT_TRUE(askUntil([this] { return came(by_image_); }, [&] {
-    next();
-    const core::Pinhole camera{room.focal, room.focal, 0.5 * room.width, 0.5 * room.height};
-    info_.send(cameraInfo(header("camera"), camera, {room.width, room.height}));
-    sensor_msgs::Image image;
-    image.header = header("camera");
-    image.width = static_cast<std::uint32_t>(room.width), image.height = static_cast<std::uint32_t>(room.height);
-    image.encoding = "16UC1", image.step = image.width * 2;
-    image.data.resize(pixels.size() * 2);
-    std::memcpy(image.data.data(), pixels.data(), image.data.size());
-    image_.send(image);
-  }));
+  ASSERT_TRUE(
+      askUntil([this] { return came(by_image_); },
+               [&] {
+                 next();
+                 const core::Pinhole camera{room.focal, room.focal, 0.5 * room.width, 0.5 * room.height};
+                 info_.send(cameraInfo(header("camera"), camera, {room.width, room.height}));
+                 sensor_msgs::Image image;
+                 image.header = header("camera");
+                 image.width = static_cast<std::uint32_t>(room.width),
+                 image.height = static_cast<std::uint32_t>(room.height);
+                 image.encoding = "16UC1", image.step = image.width * 2;
+                 image.data.resize(pixels.size() * 2);
+                 std::memcpy(image.data.data(), pixels.data(), image.data.size());
+                 image_.send(image);
+               }));
   EXPECT_GE(cellAt(*by_image_.last, 2.02, 0.02), 50);
   EXPECT_LT(cellAt(*by_image_.last, 1.0, 0.02), 50);
 }
@@ -127,9 +132,8 @@ TEST_F(VoxelMapStage, AnImageSaysTheSame) {
 TEST_F(VoxelMapStage, ATimeJumpBeginsAnew) {
   ASSERT_TRUE(sees(2.02));
   now_ -= 500.0;
-  ASSERT_TRUE(askUntil([this] { return came(map_) && cellAt(*map_.last, 2.02, 0.02) != 97; }, [&] {
-    next(), cloud_.send(wall(1.02));
-  }));
+  ASSERT_TRUE(askUntil([this] { return came(map_) && cellAt(*map_.last, 2.02, 0.02) != 97; },
+                       [&] { next(), cloud_.send(wall(1.02)); }));
   EXPECT_EQ(cellAt(*map_.last, 2.02, 0.02), -1);
   EXPECT_GE(cellAt(*map_.last, 1.02, 0.02), 50);
 }
@@ -151,10 +155,12 @@ TEST_F(VoxelMapStage, EmptyAndBrokenCloudsAreCountedAndTheNextIsTaken) {
 TEST_F(VoxelMapStage, WithoutItsTransformACloudIsDroppedAndItIsSaid) {
   ASSERT_TRUE(sees(2.02));
   now_ += 50.0;
-  ASSERT_TRUE(askUntil([this] {
-    const auto* status = diagnostics_.of("voxel_map");
-    return status && status->level > 0;
-  }, [&] { now_ += 0.1, cloud_.send(wall(2.02)); }));
+  ASSERT_TRUE(askUntil(
+      [this] {
+        const auto* status = diagnostics_.of("voxel_map");
+        return status && status->level > 0;
+      },
+      [&] { now_ += 0.1, cloud_.send(wall(2.02)); }));
   ASSERT_TRUE(sees(2.02)) << "and the next with one is taken";
 }
 

@@ -33,7 +33,9 @@ inline VoxelDifference difference(const core::VoxelMap& map, const octomap::OcTr
   map.store().forEach([&](const core::CubeKey& place, const core::VoxelCube& cube) {
     core::forEachBit(cube.known, [&](int i) {
       const core::VoxelKey voxel = core::voxelOf(place, i);
-      const auto part = [&](int axis) { return static_cast<octomap::key_type>(voxel[axis] + core::kMostVoxels); };
+      const auto part = [&](int axis) {
+        return static_cast<octomap::key_type>(voxel[axis] + core::kMostVoxels);
+      };
       const auto* node = tree.search(octomap::OcTreeKey(part(0), part(1), part(2)));
       ++out.voxels, both += node != nullptr;
       out.different += !node || node->getLogOdds() != cube.log_odds[i];

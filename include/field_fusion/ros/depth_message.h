@@ -10,8 +10,8 @@
 
 namespace field_fusion {
 
-/// The pixels where they lie in the message. Throws std::runtime_error "image damaged: ..." where its size, rows and data do
-/// not belong together.
+/// The pixels where they lie in the message. Throws std::runtime_error "image damaged: ..." where its size,
+/// rows and data do not belong together.
 template <class Pixel>
 core::DepthImage<Pixel> depthOf(const sensor_msgs::Image& image, const core::Pinhole& camera) {
   const auto fail = [&](const std::string& what) { throw std::runtime_error("image damaged: " + what); };
@@ -30,7 +30,8 @@ core::DepthImage<Pixel> depthOf(const sensor_msgs::Image& image, const core::Pin
   return out;
 }
 
-/// use(core::DepthImage) with pixels of the message's kind. Throws likewise, and "image encoding not known: ...".
+/// use(core::DepthImage) with pixels of the message's kind. Throws likewise, and "image encoding not known:
+/// ...".
 template <class Use>
 auto withDepth(const sensor_msgs::Image& image, const core::Pinhole& camera, const Use& use) {
   namespace encodings = sensor_msgs::image_encodings;

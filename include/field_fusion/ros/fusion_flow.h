@@ -18,9 +18,11 @@ struct FusionStageParams {
   void declare(core::Params& p) {
     fusion.declare(p);
     p.flag("map_whole", map_whole, core::When::kLive,
-           "Whether each map A is all that is known, so that what it no longer tells of is forgotten; a local map is not.");
+           "Whether each map A is all that is known, so that what it no longer tells of is forgotten; a "
+           "local map is not.");
     p.flag("projected_whole", projected_whole, core::When::kLive, "Likewise of map B.");
-    p.text("base_frame", base_frame, core::When::kStart, "The robot's own frame: the fused local map is about it.");
+    p.text("base_frame", base_frame, core::When::kStart,
+           "The robot's own frame: the fused local map is about it.");
     p.number("local_size", local_size, {0.1, 1000.0}, "m", core::When::kLive, "Side of that map.");
     p.number("publish_interval", publish_interval, {0.0, 60.0}, "s", core::When::kLive,
              "From one fused map to the next (stamps); 0: with each map that comes.");
@@ -54,7 +56,7 @@ class FusionFlow {
   ros::Time sent_;
   int maps_ = 0, projected_ = 0;
   double map_shift_ = 0.0, projected_shift_ = 0.0;  // [cells]
-  bool lost_ = false;  // where the robot is, at the last local map
+  bool lost_ = false;                               // where the robot is, at the last local map
 };
 
 }  // namespace field_fusion

@@ -32,26 +32,33 @@ struct VoxelStageParams {
     p.choice("source", source, {"points", "image"}, core::When::kStart,
              "What comes in: a cloud, or a rectified depth image with its CameraInfo.");
     map.declare(p);
-    p.number("image_step", image_step, {1, 64}, "px", core::When::kLive, "Each such pixel of each such row of an image counts.");
+    p.number("image_step", image_step, {1, 64}, "px", core::When::kLive,
+             "Each such pixel of each such row of an image counts.");
     p.flag("thin", thin, core::When::kLive,
-           "Whether one point of a voxel counts, the one in its middle: the voxel filter of paper 004. Else all do, for a fuller free space.");
-    p.text("map_frame", map_frame, core::When::kStart, "Frame of the map, z up; its pose of the sensor comes from TF.");
+           "Whether one point of a voxel counts, the one in its middle: the voxel filter of paper 004. Else "
+           "all do, for a fuller free space.");
+    p.text("map_frame", map_frame, core::When::kStart,
+           "Frame of the map, z up; its pose of the sensor comes from TF.");
     p.number("publish_interval", publish_interval, {0.0, 60.0}, "s", core::When::kLive,
              "From one projected map to the next (stamps); 0: with each cloud.");
-    p.number("voxels_interval", voxels_interval, {0.0, 60.0}, "s", core::When::kLive, "Likewise of the voxels for RViz.");
+    p.number("voxels_interval", voxels_interval, {0.0, 60.0}, "s", core::When::kLive,
+             "Likewise of the voxels for RViz.");
     p.number("projected_size", projected_size, {0.0, 1000.0}, "m", core::When::kLive,
              "Side of the projected map, about the sensor; 0: all that is known.");
-    p.text("map_file", map_file, core::When::kStart, "Voxels to go on from, .ot or .bt as OctoMap writes them; empty: none.");
+    p.text("map_file", map_file, core::When::kStart,
+           "Voxels to go on from, .ot or .bt as OctoMap writes them; empty: none.");
     p.rule([this] { return !map_frame.empty(); }, "map_frame must have a name");
   }
 };
 
 class VoxelFlow {
  public:
-  /// The first time loads the map. Throws std::invalid_argument with every fault of the parameters, std::runtime_error for
-  /// the map.
+  /// The first time loads the map. Throws std::invalid_argument with every fault of the parameters,
+  /// std::runtime_error for the map.
   void setParams(const VoxelStageParams& params);
-  bool ready(const std_msgs::Header& header, const TfCache& tf) const { return tf.has(params_.map_frame, header); }
+  bool ready(const std_msgs::Header& header, const TfCache& tf) const {
+    return tf.has(params_.map_frame, header);
+  }
   void reset();
 
   /// Both throw std::runtime_error where the transform is missing; the second also what withDepth throws.

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDepth = 16;                               // of OctoMap's trees
+constexpr int kDepth = 16;                                 // of OctoMap's trees
 constexpr std::size_t kMostLoaded = std::size_t{1} << 28;  // voxels
 
 bool isBinary(const fs::path& file) {
@@ -25,8 +25,8 @@ bool isBinary(const fs::path& file) {
   throw std::runtime_error(file.string() + ": the name ends neither in .bt nor in .ot");
 }
 
-/// The library trusts what it reads: damaged data leads it past the file's end, or down without one. So the nodes are
-/// walked first.
+/// The library trusts what it reads: damaged data leads it past the file's end, or down without one. So the
+/// nodes are walked first.
 class Walk {
  public:
   Walk(const std::string& data, std::size_t at) : data_(data), at_(at) {}
@@ -66,7 +66,8 @@ class Walk {
 
 void check(const std::string& data, bool binary) {
   const std::string first = binary ? "# Octomap OcTree binary file" : "# Octomap OcTree file";
-  if (data.compare(0, first.size(), first) != 0) throw std::runtime_error("its first line is not '" + first + "'");
+  if (data.compare(0, first.size(), first) != 0)
+    throw std::runtime_error("its first line is not '" + first + "'");
   if (data.find("\nid OcTree\n") == std::string::npos) throw std::runtime_error("it is no OcTree");
   const std::string mark = "\ndata\n";
   const auto head = data.find(mark);
@@ -81,7 +82,8 @@ octomap::OcTree read(const std::string& data, bool binary, const VoxelMapParams&
   check(data, binary);
   std::istringstream in(data);
   octomap::OcTree tree(p.resolution);
-  tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max), tree.setOccupancyThres(p.occupied);
+  tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max),
+      tree.setOccupancyThres(p.occupied);
   if (binary) {
     if (!tree.readBinary(in)) throw std::runtime_error("OctoMap cannot read it");
   } else {
@@ -92,11 +94,14 @@ octomap::OcTree read(const std::string& data, bool binary, const VoxelMapParams&
     tree.setResolution(found->getResolution());
   }
   if (std::abs(tree.getResolution() / p.resolution - 1.0) > 1e-4)
-    throw std::runtime_error("its voxels are of " + floatText(tree.getResolution()) + " m, not " + floatText(p.resolution) + " m");
+    throw std::runtime_error("its voxels are of " + floatText(tree.getResolution()) + " m, not " +
+                             floatText(p.resolution) + " m");
   return tree;
 }
 
-std::size_t voxelsAlong(const octomap::OcTree::leaf_iterator& leaf) { return std::size_t{1} << (kDepth - leaf.getDepth()); }
+std::size_t voxelsAlong(const octomap::OcTree::leaf_iterator& leaf) {
+  return std::size_t{1} << (kDepth - leaf.getDepth());
+}
 
 }  // namespace
 
@@ -104,7 +109,8 @@ void writeOctree(const fs::path& file, const VoxelMap& map) {
   const bool binary = isBinary(file);
   const auto& p = map.params();
   octomap::OcTree tree(p.resolution);
-  tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max), tree.setOccupancyThres(p.occupied);
+  tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max),
+      tree.setOccupancyThres(p.occupied);
   map.store().forEach([&](const CubeKey& place, const VoxelCube& cube) {
     forEachBit(cube.known, [&](int i) {
       const VoxelKey voxel = voxelOf(place, i);
@@ -126,13 +132,15 @@ void readOctree(const fs::path& file, VoxelMap& map) try {
   std::size_t voxels = 0;
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf)
     voxels += voxelsAlong(leaf) * voxelsAlong(leaf) * voxelsAlong(leaf);
-  if (voxels > kMostLoaded) throw std::runtime_error("it has " + std::to_string(voxels) + " voxels, too many to hold");
+  if (voxels > kMostLoaded)
+    throw std::runtime_error("it has " + std::to_string(voxels) + " voxels, too many to hold");
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     const auto low = leaf.getIndexKey();  // of the leaf's first voxel
     const int side = static_cast<int>(voxelsAlong(leaf));
     for (int i = 0; i < side * side * side; ++i) {
       const VoxelKey in_leaf(i % side, i / side % side, i / side / side);
-      map.set(VoxelKey(low[0], low[1], low[2]) + in_leaf - VoxelKey::Constant(kMostVoxels), leaf->getLogOdds());
+      map.set(VoxelKey(low[0], low[1], low[2]) + in_leaf - VoxelKey::Constant(kMostVoxels),
+              leaf->getLogOdds());
     }
   }
 } catch (const std::runtime_error& e) {

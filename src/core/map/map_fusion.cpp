@@ -14,7 +14,9 @@ namespace {
 constexpr int kValues = 102;  // -1 ... 100
 constexpr int kGrain = 64;    // [cells] by which the map grows
 
-float logOddsOf(double probability) { return static_cast<float>(std::log(probability / (1.0 - probability))); }
+float logOddsOf(double probability) {
+  return static_cast<float>(std::log(probability / (1.0 - probability)));
+}
 
 template <class Cells>
 Cells moved(const Cells& from, int width, int height, int new_width, int new_height, int right, int up) {
@@ -37,7 +39,8 @@ float fusedLogOdds(float a, float b, float occupied, float least, float most) {
 
 void MapFusion::setParams(const MapFusionParams& params) {
   params_ = checked(params);
-  const float occupied = logOddsOf(params_.occupied), least = logOddsOf(params_.clamp_min), most = logOddsOf(params_.clamp_max);
+  const float occupied = logOddsOf(params_.occupied), least = logOddsOf(params_.clamp_min),
+              most = logOddsOf(params_.clamp_max);
   const auto evidence = [&](int percent) {
     return percent < 0 ? kNaN : logOddsOf(std::clamp(0.01 * percent, params_.clamp_min, params_.clamp_max));
   };
@@ -45,8 +48,9 @@ void MapFusion::setParams(const MapFusionParams& params) {
   for (int a = -1; a <= 100; ++a)
     for (int b = -1; b <= 100; ++b) {
       const float fused = fusedLogOdds(evidence(a), evidence(b), occupied, least, most);
-      table_.push_back(std::isnan(fused) ? kUnknownCell
-                                         : static_cast<std::int8_t>(std::lround(100.0 / (1.0 + std::exp(-fused)))));
+      table_.push_back(std::isnan(fused)
+                           ? kUnknownCell
+                           : static_cast<std::int8_t>(std::lround(100.0 / (1.0 + std::exp(-fused)))));
     }
   fuse(area_);
 }
@@ -57,16 +61,21 @@ void MapFusion::clear() {
 }
 
 MapFusion::Area MapFusion::areaOf(const Occupancy& map) {
-  const auto fail = [](const std::string& kind, const std::string& what) { throw std::runtime_error(kind + ": " + what); };
-  if (!(map.resolution > 0.0 && std::isfinite(map.resolution))) fail("map damaged", "cells of " + floatText(map.resolution) + " m");
+  const auto fail = [](const std::string& kind, const std::string& what) {
+    throw std::runtime_error(kind + ": " + what);
+  };
+  if (!(map.resolution > 0.0 && std::isfinite(map.resolution)))
+    fail("map damaged", "cells of " + floatText(map.resolution) + " m");
   if (map.width < 0 || map.height < 0 || map.cells.size() != static_cast<std::size_t>(map.width) * map.height)
-    fail("map damaged", std::to_string(map.cells.size()) + " cells, not " + std::to_string(map.width) + " x " +
-                            std::to_string(map.height));
-  const auto wrong = std::find_if(map.cells.begin(), map.cells.end(), [](std::int8_t c) { return c < -1 || c > 100; });
+    fail("map damaged", std::to_string(map.cells.size()) + " cells, not " + std::to_string(map.width) +
+                            " x " + std::to_string(map.height));
+  const auto wrong =
+      std::find_if(map.cells.begin(), map.cells.end(), [](std::int8_t c) { return c < -1 || c > 100; });
   if (wrong != map.cells.end())
     fail("map damaged", "a cell of " + std::to_string(*wrong) + ", neither -1 nor 0 to 100");
   if (!a_.empty() && std::abs(map.resolution / fused_.resolution - 1.0) > 1e-4)
-    fail("resolution differs", floatText(map.resolution) + " m, the maps before had " + floatText(fused_.resolution) + " m");
+    fail("resolution differs",
+         floatText(map.resolution) + " m, the maps before had " + floatText(fused_.resolution) + " m");
   const double x = map.x / map.resolution, y = map.y / map.resolution;
   if (!(std::abs(x) < kMostCells && std::abs(y) < kMostCells)) fail("map too far", "it is beyond all bounds");
   shift_ = std::max(std::abs(x - std::round(x)), std::abs(y - std::round(y)));
@@ -77,14 +86,15 @@ void MapFusion::cover(const Area& wanted) {
   const bool first = area_.width == 0 || area_.height == 0;
   const auto down = [](int cell) { return cell & ~(kGrain - 1); };
   const auto up = [](int cell) { return (cell + kGrain - 1) & ~(kGrain - 1); };
-  int x0 = down(wanted.x0), y0 = down(wanted.y0), x1 = up(wanted.x0 + wanted.width), y1 = up(wanted.y0 + wanted.height);
+  int x0 = down(wanted.x0), y0 = down(wanted.y0), x1 = up(wanted.x0 + wanted.width),
+      y1 = up(wanted.y0 + wanted.height);
   if (!first) {
     x0 = std::min(x0, area_.x0), x1 = std::max(x1, area_.x0 + area_.width);
     y0 = std::min(y0, area_.y0), y1 = std::max(y1, area_.y0 + area_.height);
   }
   if (static_cast<double>(x1 - x0) * (y1 - y0) > kMostCells)
-    throw std::runtime_error("map too far: with it the fused map would have " + std::to_string(x1 - x0) + " x " +
-                             std::to_string(y1 - y0) + " cells");
+    throw std::runtime_error("map too far: with it the fused map would have " + std::to_string(x1 - x0) +
+                             " x " + std::to_string(y1 - y0) + " cells");
   const Area next = {x0, y0, x1 - x0, y1 - y0};
   if (!first && next.width == area_.width && next.height == area_.height) return;
   for (auto* cells : {&a_, &b_, &fused_.cells})
@@ -102,7 +112,8 @@ void MapFusion::add(Layer& layer, const Occupancy& map, Silence silence) {
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const std::int8_t cell = map.cells[static_cast<std::size_t>(y) * map.width + x];
-      if (cell != kUnknownCell || silence == Silence::kForgets) layer[area_.index(part.x0 + x, part.y0 + y)] = cell;
+      if (cell != kUnknownCell || silence == Silence::kForgets)
+        layer[area_.index(part.x0 + x, part.y0 + y)] = cell;
     }
   fuse(part);
 }
@@ -123,7 +134,8 @@ Occupancy MapFusion::about(double x, double y, double side) const {
   out.cells.reserve(static_cast<std::size_t>(cells) * cells);
   for (int v = y0; v < y0 + cells; ++v)
     for (int u = x0; u < x0 + cells; ++u) {
-      const bool inside = u >= area_.x0 && u < area_.x0 + area_.width && v >= area_.y0 && v < area_.y0 + area_.height;
+      const bool inside =
+          u >= area_.x0 && u < area_.x0 + area_.width && v >= area_.y0 && v < area_.y0 + area_.height;
       out.cells.push_back(inside ? fused_.cells[area_.index(u, v)] : kUnknownCell);
     }
   return out;

@@ -24,7 +24,8 @@ std::optional<VoxelRay> VoxelRay::between(const VoxelLattice& lattice, const Eig
   if (ray.begin == ray.end) return ray;
   // single and double precision by turns, as octomap::point3d and its keys have them
   Eigen::Vector3f way = end - origin;
-  ray.length = static_cast<float>(std::sqrt(static_cast<double>(way.x() * way.x() + way.y() * way.y() + way.z() * way.z())));
+  ray.length = static_cast<float>(
+      std::sqrt(static_cast<double>(way.x() * way.x() + way.y() * way.y() + way.z() * way.z())));
   way /= ray.length;
   const Eigen::Vector3d centre = lattice.centre(ray.begin);
   for (int i = 0; i < 3; ++i) {

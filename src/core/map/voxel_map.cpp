@@ -7,12 +7,17 @@
 namespace field_fusion::core {
 namespace {
 
-float logOddsOf(double probability) { return static_cast<float>(std::log(probability / (1.0 - probability))); }
+float logOddsOf(double probability) {
+  return static_cast<float>(std::log(probability / (1.0 - probability)));
+}
 
 }  // namespace
 
 VoxelMap::VoxelMap(const VoxelMapParams& params)
-    : params_(checked(params)), lattice_(params.resolution), workers_(params.threads), marks_(workers_.number()),
+    : params_(checked(params)),
+      lattice_(params.resolution),
+      workers_(params.threads),
+      marks_(workers_.number()),
       counted_(workers_.number()) {
   setLive(params);
 }
@@ -36,26 +41,31 @@ VoxelCounts VoxelMap::insert(const std::vector<Eigen::Vector3f>& points, const E
   const auto at = lattice_.key(sensor);
   if (!at) return {0, 0, points.size(), 0, 0};
   for (VoxelMarks& marks : marks_) marks.begin(*at, params_.reach());
-  workers_.share(marks_.size(), [&](std::size_t part, int) { mark(points, sensor, part, marks_[part], counted_[part]); });
+  workers_.share(marks_.size(),
+                 [&](std::size_t part, int) { mark(points, sensor, part, marks_[part], counted_[part]); });
   VoxelCounts counts;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     if (i > 0) marks_[0].add(marks_[i]);
-    counts.points += counted_[i].points, counts.far += counted_[i].far, counts.unusable += counted_[i].unusable;
+    counts.points += counted_[i].points, counts.far += counted_[i].far,
+        counts.unusable += counted_[i].unusable;
   }
   update(counts);
   return counts;
 }
 
-void VoxelMap::mark(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& sensor, std::size_t part,
-                    VoxelMarks& marks, VoxelCounts& counts) const {
+void VoxelMap::mark(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& sensor,
+                    std::size_t part, VoxelMarks& marks, VoxelCounts& counts) const {
   counts = {};
-  const std::size_t first = points.size() * part / marks_.size(), last = points.size() * (part + 1) / marks_.size();
+  const std::size_t first = points.size() * part / marks_.size(),
+                    last = points.size() * (part + 1) / marks_.size();
   for (std::size_t i = first; i < last; ++i) {
     const Eigen::Vector3f way = points[i] - sensor;
-    const double range = std::sqrt(static_cast<double>(way.x() * way.x() + way.y() * way.y() + way.z() * way.z()));
+    const double range =
+        std::sqrt(static_cast<double>(way.x() * way.x() + way.y() * way.y() + way.z() * way.z()));
     const bool far = range > params_.max_range;
-    const Eigen::Vector3f end =
-        far ? Eigen::Vector3f(sensor + way / static_cast<float>(range) * static_cast<float>(params_.max_range)) : points[i];
+    const Eigen::Vector3f end = far ? Eigen::Vector3f(sensor + way / static_cast<float>(range) *
+                                                                   static_cast<float>(params_.max_range))
+                                    : points[i];
     const auto ray = std::isfinite(range) ? VoxelRay::between(lattice_, sensor, end) : std::nullopt;
     if (!ray) {
       ++counts.unusable;

@@ -12,7 +12,8 @@ constexpr int kMargin = 2;             // [voxels] that rounding may lead a ray 
 }  // namespace
 
 void VoxelMarks::begin(const VoxelKey& sensor, int reach) {
-  if (reach < 0 || reach > kMostReach) throw std::invalid_argument("a window of " + std::to_string(reach) + " voxels");
+  if (reach < 0 || reach > kMostReach)
+    throw std::invalid_argument("a window of " + std::to_string(reach) + " voxels");
   for (const std::uint32_t place : touched_) slots_[place] = 0;
   touched_.clear(), cubes_.clear();
   // so many cubes that the window holds all rays wherever in its cube the sensor stands
@@ -62,7 +63,8 @@ void VoxelMarks::pass(const VoxelRay& ray) {
   const auto pass = [&] {
     cubeAt(place).passed[place >> 6 & (kCubeSide - 1)] |= std::uint64_t{1} << (place & 63);
   };
-  ray.walk(step, [&] { return place == end; }, pass);
+  ray.walk(
+      step, [&] { return place == end; }, pass);
 }
 
 void VoxelMarks::hit(const VoxelKey& voxel) {

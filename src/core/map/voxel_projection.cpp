@@ -42,12 +42,18 @@ Occupancy VoxelMap::project(const Column& area) const {
     forEachBit(cube.known, [&](int i) {
       const VoxelKey voxel = voxelOf(place, i);
       const int u = voxel.x() - area.x0, v = voxel.y() - area.y0;
-      if (voxel.z() < low || voxel.z() > high || u < 0 || v < 0 || u >= area.width || v >= area.height) return;
+      if (voxel.z() < low || voxel.z() > high || u < 0 || v < 0 || u >= area.width || v >= area.height)
+        return;
       float& cell = highest[static_cast<std::size_t>(v) * area.width + u];
       cell = std::max(cell, cube.log_odds[i]);
     });
   });
-  Occupancy out = {params_.resolution, area.x0 * params_.resolution, area.y0 * params_.resolution, area.width, area.height, {}};
+  Occupancy out = {params_.resolution,
+                   area.x0 * params_.resolution,
+                   area.y0 * params_.resolution,
+                   area.width,
+                   area.height,
+                   {}};
   out.cells.reserve(highest.size());
   for (const float cell : highest) out.cells.push_back(std::isinf(cell) ? kUnknownCell : percent(cell));
   return out;

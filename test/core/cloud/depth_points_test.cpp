@@ -9,7 +9,9 @@ template <class Pixel>
 Cloud pointsOf(const std::vector<Pixel>& pixels, int width, int step = 1) {
   Cloud out;
   const int height = static_cast<int>(pixels.size()) / width;
-  depthPoints(DepthImage<Pixel>{width, height, pixels.data(), static_cast<std::size_t>(width), 2.0, 4.0, 1.0, 0.0}, step, out);
+  depthPoints(
+      DepthImage<Pixel>{width, height, pixels.data(), static_cast<std::size_t>(width), 2.0, 4.0, 1.0, 0.0},
+      step, out);
   return out;
 }
 

@@ -43,11 +43,13 @@ TEST(OctreeFile, IsReadByOctoMap) {
   const test::TempFolder folder;
   const VoxelMap map = aMap();
   writeOctree(folder.path() / "a.ot", map);
-  const std::unique_ptr<octomap::AbstractOcTree> any(octomap::AbstractOcTree::read((folder.path() / "a.ot").string()));
+  const std::unique_ptr<octomap::AbstractOcTree> any(
+      octomap::AbstractOcTree::read((folder.path() / "a.ot").string()));
   const auto* tree = dynamic_cast<octomap::OcTree*>(any.get());
   ASSERT_TRUE(tree);
   EXPECT_EQ(test::difference(map, *tree).different, 0u);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing else is left";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
+      << "nothing else is left";
 }
 
 TEST(OctreeFile, ComesBackAsItWas) {
@@ -65,7 +67,8 @@ TEST(OctreeFile, ComesBackAsItWas) {
     });
   });
   std::size_t before = 0;
-  map.store().forEach([&](const CubeKey&, const VoxelCube& cube) { forEachBit(cube.known, [&](int) { ++before; }); });
+  map.store().forEach(
+      [&](const CubeKey&, const VoxelCube& cube) { forEachBit(cube.known, [&](int) { ++before; }); });
   EXPECT_EQ(voxels, before);
 }
 
@@ -137,7 +140,8 @@ TEST(OctreeFile, FaultsNameTheFile) {
   VoxelMapParams coarse;
   coarse.resolution = 0.1;
   writeOctree(folder.path() / "a.ot", aMap());
-  EXPECT_NE(faultOf(folder.path() / "a.ot", VoxelMap(coarse)).find("of 0.05 m, not 0.1 m"), std::string::npos);
+  EXPECT_NE(faultOf(folder.path() / "a.ot", VoxelMap(coarse)).find("of 0.05 m, not 0.1 m"),
+            std::string::npos);
   EXPECT_THROW(writeOctree(folder.path() / "no/a.ot", aMap()), std::runtime_error);
   EXPECT_THROW(writeOctree(folder.path() / "a.ply", aMap()), std::runtime_error);
 }

@@ -11,7 +11,9 @@
 namespace field_fusion::core {
 namespace {
 
-Occupancy one(std::int8_t cell, double x = 0.0, double resolution = 0.05) { return {resolution, x, 0.0, 1, 1, {cell}}; }
+Occupancy one(std::int8_t cell, double x = 0.0, double resolution = 0.05) {
+  return {resolution, x, 0.0, 1, 1, {cell}};
+}
 
 std::int8_t at(const MapFusion& fusion, double x) { return fusion.about(x, 0.0, 0.05).cells.at(0); }
 
@@ -24,7 +26,8 @@ struct Entry {
 };
 class Table2 : public testing::TestWithParam<Entry> {};
 
-/// Entries of paper 004's Table 2 as this stage reads them: occupied if either is, vacant if one is and none occupied.
+/// Entries of paper 004's Table 2 as this stage reads them: occupied if either is, vacant if one is and none
+/// occupied.
 TEST_P(Table2, Holds) {
   MapFusion fusion;
   fusion.addA(one(GetParam().a), Silence::kForgets);
@@ -33,10 +36,12 @@ TEST_P(Table2, Holds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(MapFusion, Table2,
-                         testing::Values(Entry{100, 100, kOccupied}, Entry{100, 0, kOccupied}, Entry{100, -1, kOccupied},
-                                         Entry{0, 100, kOccupied}, Entry{0, 0, kVacant}, Entry{0, -1, kVacant},
-                                         Entry{-1, 100, kOccupied}, Entry{-1, 0, kVacant}, Entry{-1, -1, kUnknown},
-                                         Entry{0, 55, kOccupied}, Entry{49, 49, kVacant}));
+                         testing::Values(Entry{100, 100, kOccupied}, Entry{100, 0, kOccupied},
+                                         Entry{100, -1, kOccupied}, Entry{0, 100, kOccupied},
+                                         Entry{0, 0, kVacant}, Entry{0, -1, kVacant},
+                                         Entry{-1, 100, kOccupied}, Entry{-1, 0, kVacant},
+                                         Entry{-1, -1, kUnknown}, Entry{0, 55, kOccupied},
+                                         Entry{49, 49, kVacant}));
 
 TEST(FusedLogOdds, AreTheProductOfTheOdds) {
   // Eq. 5: 0.7 * 0.8 / (0.7 * 0.8 + 0.3 * 0.2)

@@ -78,7 +78,8 @@ TEST(VoxelMap, OneRayIsFreeUpToItsEnd) {
   EXPECT_EQ(counts.occupied, 1u);
   for (int x = 0; x < 4; ++x) EXPECT_FLOAT_EQ(map.logOdds({x, 0, 0}), std::log(0.4f / 0.6f)) << x;
   EXPECT_FLOAT_EQ(map.logOdds({4, 0, 0}), std::log(0.7f / 0.3f));
-  for (const VoxelKey& unknown : {VoxelKey(5, 0, 0), VoxelKey(-1, 0, 0), VoxelKey(2, 1, 0), VoxelKey(999, 0, 0)})
+  for (const VoxelKey& unknown :
+       {VoxelKey(5, 0, 0), VoxelKey(-1, 0, 0), VoxelKey(2, 1, 0), VoxelKey(999, 0, 0)})
     EXPECT_TRUE(std::isnan(map.logOdds(unknown)));
 }
 
@@ -153,7 +154,7 @@ TEST(VoxelMap, ProjectsTheHighestOfEachColumnBetweenTheHeights) {
   map.set({0, 0, 1}, -1.f);  // the lowest that counts
   map.set({1, 0, 4}, 2.f);   // the highest
   map.set({1, 0, 2}, -1.f);
-  map.set({2, 0, 5}, 2.f);   // passed below
+  map.set({2, 0, 5}, 2.f);  // passed below
   const Occupancy b = map.project();
   ASSERT_EQ(b.width, 8);
   EXPECT_EQ(b.x, 0.0);

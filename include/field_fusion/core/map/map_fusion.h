@@ -1,5 +1,6 @@
 #pragma once
-// Stage `map_fusion`: map A of the scanner and map B of the depth camera as one (paper 004, Algorithm 2, Eq. 5 and Table 2).
+// Stage `map_fusion`: map A of the scanner and map B of the depth camera as one (paper 004, Algorithm 2, Eq.
+// 5 and Table 2).
 #include <cstdint>
 #include <vector>
 
@@ -18,16 +19,18 @@ struct MapFusionParams {
              "Probability from which a cell of either map is occupied, and with it the fused one (Table 2).");
     p.number("clamp_min", clamp_min, {0.001, 0.5}, "", When::kLive, "No cell's probability counts as less.");
     p.number("clamp_max", clamp_max, {0.5, 0.999}, "", When::kLive, "Nor as more.");
-    p.rule([this] { return clamp_min < occupied && occupied < clamp_max; }, "occupied must lie between the clamps");
+    p.rule([this] { return clamp_min < occupied && occupied < clamp_max; },
+           "occupied must lie between the clamps");
   }
 };
 
-/// Log-odds of a cell from those of its two maps; NaN: not known. Their sum is Eq. 5, the product of the odds. A cell that either
-/// has as occupied is so (Table 2), if need be at the higher of the two: a scan's way over a low box says nothing of the box.
+/// Log-odds of a cell from those of its two maps; NaN: not known. Their sum is Eq. 5, the product of the
+/// odds. A cell that either has as occupied is so (Table 2), if need be at the higher of the two: a scan's
+/// way over a low box says nothing of the box.
 float fusedLogOdds(float a, float b, float occupied, float least, float most);
 
-/// Keeps for each cell what each map said of it last, and replaces that: a map that comes again makes no cell surer. Where a
-/// map is silent:
+/// Keeps for each cell what each map said of it last, and replaces that: a map that comes again makes no cell
+/// surer. Where a map is silent:
 enum class Silence {
   kForgets,  ///< it is whole: what it no longer tells of is gone
   kKeeps     ///< it is a window that moves: what it told of before holds
@@ -39,9 +42,9 @@ class MapFusion {
   /// Throws std::invalid_argument with every fault of the parameters. What was fused is fused anew.
   void setParams(const MapFusionParams& params);
 
-  /// Cells in percent, -1 not known. Throws std::runtime_error ("map damaged: ...", "resolution differs: ...",
-  /// "map too far: ..."), and changes nothing, where the cells are none of that, are not of the size of the first map's, or would
-  /// be more than kMostCells. A map whose cells lie between those of the others is
+  /// Cells in percent, -1 not known. Throws std::runtime_error ("map damaged: ...", "resolution differs:
+  /// ...", "map too far: ..."), and changes nothing, where the cells are none of that, are not of the size of
+  /// the first map's, or would be more than kMostCells. A map whose cells lie between those of the others is
   /// moved to the nearest by up to half a cell: shift().
   void addA(const Occupancy& map, Silence silence) { add(a_, map, silence); }
   void addB(const Occupancy& map, Silence silence) { add(b_, map, silence); }

@@ -1,5 +1,6 @@
 #pragma once
-// The lattice of OctoMap's voxels (Hornung et al. 2013): which voxel a place lies in, and which ones a ray goes through.
+// The lattice of OctoMap's voxels (Hornung et al. 2013): which voxel a place lies in, and which ones a ray
+// goes through.
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -20,26 +21,30 @@ class VoxelLattice {
   double resolution() const { return resolution_; }  ///< [m]
   /// None beyond the lattice, and of a place that is not finite.
   std::optional<VoxelKey> key(const Eigen::Vector3f& place) const;
-  Eigen::Vector3d centre(const VoxelKey& key) const { return (key.cast<double>().array() + 0.5) * resolution_; }
+  Eigen::Vector3d centre(const VoxelKey& key) const {
+    return (key.cast<double>().array() + 0.5) * resolution_;
+  }
 
  private:
   double resolution_, per_metre_;
 };
 
-/// The way of a ray from voxel to voxel (Amanatides and Woo 1987), rounded at each step as octomap::computeRayKeys rounds:
-/// the same voxels are passed, even where a ray goes through their edges. The voxel of the end is not among them.
+/// The way of a ray from voxel to voxel (Amanatides and Woo 1987), rounded at each step as
+/// octomap::computeRayKeys rounds: the same voxels are passed, even where a ray goes through their edges. The
+/// voxel of the end is not among them.
 struct VoxelRay {
-  VoxelKey begin, end;        ///< voxels; where they are one, nothing is passed
-  int step[3] = {0, 0, 0};    ///< -1, 0 or 1
-  double next[3] = {}, span[3] = {};  ///< [m] along the ray: to the next voxel of each axis, and from one to the next
-  float length = 0.f;         ///< [m]
+  VoxelKey begin, end;      ///< voxels; where they are one, nothing is passed
+  int step[3] = {0, 0, 0};  ///< -1, 0 or 1
+  double next[3] = {},
+         span[3] = {};  ///< [m] along the ray: to the next voxel of each axis, and from one to the next
+  float length = 0.f;   ///< [m]
 
   /// None where an end lies beyond the lattice.
   static std::optional<VoxelRay> between(const VoxelLattice& lattice, const Eigen::Vector3f& origin,
                                          const Eigen::Vector3f& end);
 
-  /// pass() for the voxel of the origin; then for each way into a voxel step(axis), and pass() if it is passed. at_end(): whether
-  /// the voxel last stepped to is `end`.
+  /// pass() for the voxel of the origin; then for each way into a voxel step(axis), and pass() if it is
+  /// passed. at_end(): whether the voxel last stepped to is `end`.
   template <class Step, class AtEnd, class Pass>
   void walk(const Step& step_to, const AtEnd& at_end, const Pass& pass) const {
     if (begin == end) return;

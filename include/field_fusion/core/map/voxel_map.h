@@ -1,5 +1,6 @@
 #pragma once
-// Stage `voxel_map`: occupancy of voxels from clouds of points, and its projection on the plane (paper 004, section 4.2: map B).
+// Stage `voxel_map`: occupancy of voxels from clouds of points, and its projection on the plane (paper 004,
+// section 4.2: map B).
 #include <cmath>
 #include <vector>
 
@@ -25,16 +26,20 @@ struct VoxelMapParams {
   int threads = 0;
 
   void declare(Params& p) {
-    p.number("resolution", resolution, {0.005, 5.0}, "m", When::kStart, "Side of a voxel, and of a cell of map B.");
+    p.number("resolution", resolution, {0.005, 5.0}, "m", When::kStart,
+             "Side of a voxel, and of a cell of map B.");
     p.number("max_range", max_range, {0.05, 1000.0}, "m", When::kLive,
              "Of a farther point only the way up to here counts, as free.");
-    p.number("hit", hit, {0.5, 1.0}, "", When::kLive, "Probability that a voxel in which a ray ends is occupied.");
-    p.number("miss", miss, {0.0, 0.5}, "", When::kLive, "Probability that a voxel through which a ray goes is occupied.");
+    p.number("hit", hit, {0.5, 1.0}, "", When::kLive,
+             "Probability that a voxel in which a ray ends is occupied.");
+    p.number("miss", miss, {0.0, 0.5}, "", When::kLive,
+             "Probability that a voxel through which a ray goes is occupied.");
     p.number("clamp_min", clamp_min, {0.0, 0.5}, "", When::kLive,
              "A voxel's probability never falls below, so that what comes is seen soon.");
     p.number("clamp_max", clamp_max, {0.5, 1.0}, "", When::kLive,
              "Nor does it rise above, so that what goes is forgotten soon.");
-    p.number("occupied", occupied, {0.01, 0.99}, "", When::kLive, "Probability from which a voxel is occupied.");
+    p.number("occupied", occupied, {0.01, 0.99}, "", When::kLive,
+             "Probability from which a voxel is occupied.");
     p.number("min_height", min_height, {-1000.0, 1000.0}, "m", When::kLive,
              "In map_frame: voxels whose middle is lower are floor to map B.");
     p.number("max_height", max_height, {-1000.0, 1000.0}, "m", When::kLive,
@@ -45,21 +50,23 @@ struct VoxelMapParams {
     p.rule([this] { return min_height < max_height; }, "min_height must be below max_height");
     p.rule([this] { return hit < 1.0 && miss > 0.0 && clamp_min > 0.0 && clamp_max < 1.0; },
            "hit and clamp_max must be below 1, miss and clamp_min above 0");
-    p.rule([this] { return reach() <= VoxelMarks::kMostReach; }, "max_range must not be above 998 times the resolution");
+    p.rule([this] { return reach() <= VoxelMarks::kMostReach; },
+           "max_range must not be above 998 times the resolution");
   }
 
   int reach() const { return static_cast<int>(std::ceil(max_range / resolution)) + 1; }  ///< [voxels]
 };
 
 struct VoxelCounts {
-  std::size_t points = 0;      ///< taken in
-  std::size_t far = 0;         ///< of them, beyond max_range
-  std::size_t unusable = 0;    ///< not finite, or beyond the lattice
+  std::size_t points = 0;              ///< taken in
+  std::size_t far = 0;                 ///< of them, beyond max_range
+  std::size_t unusable = 0;            ///< not finite, or beyond the lattice
   std::size_t occupied = 0, free = 0;  ///< voxels that they changed or confirmed
 };
 
-/// The sensor model and clamping of OctoMap (Hornung et al. 2013): of one cloud each voxel gets one update, and ends of rays
-/// win over ways. Gives the very log-odds that octomap::OcTree::insertPointCloud gives, in whatever number of threads.
+/// The sensor model and clamping of OctoMap (Hornung et al. 2013): of one cloud each voxel gets one update,
+/// and ends of rays win over ways. Gives the very log-odds that octomap::OcTree::insertPointCloud gives, in
+/// whatever number of threads.
 class VoxelMap {
  public:
   /// Throws std::invalid_argument with every fault of the parameters.
@@ -76,8 +83,8 @@ class VoxelMap {
   float logOdds(const VoxelKey& voxel) const;
   bool isOccupied(float log_odds) const { return log_odds >= occupied_; }
 
-  /// Map B: of each column between the heights, the highest probability that is known, in percent. Of the whole map, or of a
-  /// square of `side` [m] about a place. Cells are those of the lattice.
+  /// Map B: of each column between the heights, the highest probability that is known, in percent. Of the
+  /// whole map, or of a square of `side` [m] about a place. Cells are those of the lattice.
   Occupancy project() const;
   Occupancy projectAbout(double x, double y, double side) const;
   /// Forgets what is farther than the window allows from a place [m]; how many cubes.

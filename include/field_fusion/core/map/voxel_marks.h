@@ -15,7 +15,8 @@ using CubeBits = std::array<std::uint64_t, kCubeVoxels / 64>;
 /// [cubes] from the one at the origin.
 using CubeKey = Eigen::Vector3i;
 
-/// The window of a cloud about its sensor. Keeps its memory from cloud to cloud; what it clears is what was touched.
+/// The window of a cloud about its sensor. Keeps its memory from cloud to cloud; what it clears is what was
+/// touched.
 class VoxelMarks {
  public:
   static constexpr int kMostReach = 1000;  ///< [voxels]: a table of 64 MiB
@@ -37,8 +38,9 @@ class VoxelMarks {
   struct Cube {
     CubeBits passed{}, hit{};
   };
-  // A place in the window is one number: for each axis 3 bits within the cube (below), and bits_ of the cube's place (above
-  // those of all three). A step along an axis adds to its bits alone, the others being filled so that a carry goes through.
+  // A place in the window is one number: for each axis 3 bits within the cube (below), and bits_ of the
+  // cube's place (above those of all three). A step along an axis adds to its bits alone, the others being
+  // filled so that a carry goes through.
   std::uint32_t placeOf(const VoxelKey& voxel) const;
   Cube& cubeAt(std::uint32_t place);
 

@@ -39,7 +39,8 @@ class VoxelStore {
   template <class Outside>
   std::size_t drop(const Outside& outside) {
     const std::size_t before = cubes_.size();
-    for (auto cube = cubes_.begin(); cube != cubes_.end();) cube = outside(cube->first) ? cubes_.erase(cube) : ++cube;
+    for (auto cube = cubes_.begin(); cube != cubes_.end();)
+      cube = outside(cube->first) ? cubes_.erase(cube) : ++cube;
     return before - cubes_.size();
   }
 
@@ -47,8 +48,8 @@ class VoxelStore {
   struct Hash {
     std::size_t operator()(const CubeKey& k) const {
       // places are below 2^13 each: side by side they are one number, and the product spreads its low bits
-      const std::uint64_t one = static_cast<std::uint32_t>(k.x() & 0x1fff) | std::uint64_t(k.y() & 0x1fff) << 13 |
-                                std::uint64_t(k.z() & 0x1fff) << 26;
+      const std::uint64_t one = static_cast<std::uint32_t>(k.x() & 0x1fff) |
+                                std::uint64_t(k.y() & 0x1fff) << 13 | std::uint64_t(k.z() & 0x1fff) << 26;
       return static_cast<std::size_t>(one * 0x9e3779b97f4a7c15ull >> 20);
     }
   };
