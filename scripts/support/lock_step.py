@@ -63,3 +63,14 @@ class LockStep:
         with self.changed:
             self.answers[topic][message.header.stamp] = message
             self.changed.notify_all()
+
+
+class MapSteps(LockStep):
+    """Its answer on /tf is the transform that grid_slam sends for a scan, by that transform's stamp."""
+
+    def _keep(self, message, topic):
+        if topic != "/tf":
+            return super()._keep(message, topic)
+        for transform in message.transforms:
+            if transform.header.frame_id == "map":
+                super()._keep(transform, topic)

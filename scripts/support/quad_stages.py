@@ -10,7 +10,7 @@ from tf2_msgs.msg import TFMessage
 
 import sim_bag
 import stage_run
-from lock_step import LockStep
+from lock_step import MapSteps
 from ros_session import RosSession, SessionError
 
 ODOM, SCAN, IMAGE, INFO = "/odom", "/scan/scan", "/depth/depth/image_raw", "/depth/depth/camera_info"
@@ -39,19 +39,6 @@ LAUNCH = """<launch>
 """
 
 
-class QuadSteps(LockStep):
-    """Its answer to a scan is the transform that grid_slam sends for it."""
-
-    def _keep(self, message, topic):
-        if topic != "/tf":
-            return super()._keep(message, topic)
-        for transform in message.transforms:
-            if transform.header.frame_id == "map":
-                with self.changed:
-                    self.answers["/tf"][transform.header.stamp] = transform
-                    self.changed.notify_all()
-
-
 def _robot(file):
     """The robot's own parameters, with waits that only a broken stage exceeds and maps that come at once."""
     values = yaml.safe_load((stage_run.package() / "config/robots/quadruped.yaml").read_text())
@@ -75,7 +62,7 @@ def play(experiment, bag_file):
     keep = lambda message, topic: latest.__setitem__(topic, message)
     subscribers = [rospy.Subscriber(topic, OccupancyGrid, keep, topic, queue_size=1) for topic in MAPS.values()]
     subscribers.append(rospy.Subscriber("/path", Path, keep, "/path", queue_size=1))
-    steps = QuadSteps(KINDS, sim_bag.static_transforms(bag_file),
+    steps = MapSteps(KINDS, sim_bag.static_transforms(bag_file),
                       {"/tf": TFMessage, "/scan_merged": LaserScan, "/projected_map": OccupancyGrid},
                       {"/tf": 4}, BURST)  # three processes of stages hear of transforms, and this one
     try:

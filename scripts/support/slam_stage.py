@@ -16,7 +16,7 @@ import rosbag
 import rospy
 
 import stage_run
-from lock_step import LockStep
+from lock_step import MapSteps
 from ros_session import RosSession, SessionError
 
 NAME = "slam"
@@ -24,7 +24,7 @@ SCANS, MAP, PATH = f"/{NAME}/scan", f"/{NAME}/map", f"/{NAME}/path"
 TICK = os.sysconf("SC_CLK_TCK")
 
 
-class SlamSteps(LockStep):
+class SlamSteps(MapSteps):
     """Its answer to a scan is the transform that it sends for it, `delay` after the scan's stamp. Stamps rise from bag to bag,
     so that no old transform is taken for a new one."""
 
@@ -32,13 +32,6 @@ class SlamSteps(LockStep):
         self.delay = genpy.Duration.from_sec(delay)
         super().__init__({"/tf": TFMessage, SCANS: LaserScan}, static, {"/tf": TFMessage},
                          listeners={"/tf": 2})  # this process is one of them
-
-    def _keep(self, message, topic):
-        for transform in message.transforms:
-            if transform.header.frame_id == "map":
-                with self.changed:
-                    self.answers["/tf"][transform.header.stamp] = transform
-                    self.changed.notify_all()
 
     def scan(self, transform, scan):
         """[s] of wall time until it is taken in."""

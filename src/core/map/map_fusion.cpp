@@ -7,16 +7,13 @@
 #include "field_fusion/core/base/checked.h"
 #include "field_fusion/core/base/params_text.h"
 #include "field_fusion/core/base/types.h"
+#include "field_fusion/core/map/log_odds.h"
 
 namespace field_fusion::core {
 namespace {
 
 constexpr int kValues = 102;  // -1 ... 100
 constexpr int kGrain = 64;    // [cells] by which the map grows
-
-float logOddsOf(double probability) {
-  return static_cast<float>(std::log(probability / (1.0 - probability)));
-}
 
 template <class Cells>
 Cells moved(const Cells& from, int width, int height, int new_width, int new_height, int right, int up) {
@@ -48,9 +45,7 @@ void MapFusion::setParams(const MapFusionParams& params) {
   for (int a = -1; a <= 100; ++a)
     for (int b = -1; b <= 100; ++b) {
       const float fused = fusedLogOdds(evidence(a), evidence(b), occupied, least, most);
-      table_.push_back(std::isnan(fused)
-                           ? kUnknownCell
-                           : static_cast<std::int8_t>(std::lround(100.0 / (1.0 + std::exp(-fused)))));
+      table_.push_back(std::isnan(fused) ? kUnknownCell : percentOf(fused));
     }
   fuse(area_);
 }
@@ -60,7 +55,7 @@ void MapFusion::clear() {
   a_.clear(), b_.clear();
 }
 
-MapFusion::Area MapFusion::areaOf(const Occupancy& map) {
+CellArea MapFusion::areaOf(const Occupancy& map) {
   const auto fail = [](const std::string& kind, const std::string& what) {
     throw std::runtime_error(kind + ": " + what);
   };
@@ -82,7 +77,7 @@ MapFusion::Area MapFusion::areaOf(const Occupancy& map) {
   return {static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), map.width, map.height};
 }
 
-void MapFusion::cover(const Area& wanted) {
+void MapFusion::cover(const CellArea& wanted) {
   const bool first = area_.width == 0 || area_.height == 0;
   const auto down = [](int cell) { return cell & ~(kGrain - 1); };
   const auto up = [](int cell) { return (cell + kGrain - 1) & ~(kGrain - 1); };
@@ -95,7 +90,7 @@ void MapFusion::cover(const Area& wanted) {
   if (static_cast<double>(x1 - x0) * (y1 - y0) > kMostCells)
     throw std::runtime_error("map too far: with it the fused map would have " + std::to_string(x1 - x0) +
                              " x " + std::to_string(y1 - y0) + " cells");
-  const Area next = {x0, y0, x1 - x0, y1 - y0};
+  const CellArea next = {x0, y0, x1 - x0, y1 - y0};
   if (!first && next.width == area_.width && next.height == area_.height) return;
   for (auto* cells : {&a_, &b_, &fused_.cells})
     *cells = moved(*cells, area_.width, area_.height, next.width, next.height, area_.x0 - x0, area_.y0 - y0);
@@ -103,7 +98,7 @@ void MapFusion::cover(const Area& wanted) {
 }
 
 void MapFusion::add(Layer& layer, const Occupancy& map, Silence silence) {
-  const Area part = areaOf(map);
+  const CellArea part = areaOf(map);
   if (map.cells.empty()) return;
   cover(part);
   if (fused_.width == 0) fused_.resolution = map.resolution;
@@ -118,7 +113,7 @@ void MapFusion::add(Layer& layer, const Occupancy& map, Silence silence) {
   fuse(part);
 }
 
-void MapFusion::fuse(const Area& part) {
+void MapFusion::fuse(const CellArea& part) {
   for (int y = part.y0; y < part.y0 + part.height; ++y)
     for (int x = part.x0; x < part.x0 + part.width; ++x) {
       const std::size_t i = area_.index(x, y);
@@ -127,18 +122,9 @@ void MapFusion::fuse(const Area& part) {
 }
 
 Occupancy MapFusion::about(double x, double y, double side) const {
-  const int cells = static_cast<int>(std::lround(side / fused_.resolution));
-  const int x0 = static_cast<int>(std::lround(x / fused_.resolution)) - cells / 2;
-  const int y0 = static_cast<int>(std::lround(y / fused_.resolution)) - cells / 2;
-  Occupancy out = {fused_.resolution, x0 * fused_.resolution, y0 * fused_.resolution, cells, cells, {}};
-  out.cells.reserve(static_cast<std::size_t>(cells) * cells);
-  for (int v = y0; v < y0 + cells; ++v)
-    for (int u = x0; u < x0 + cells; ++u) {
-      const bool inside =
-          u >= area_.x0 && u < area_.x0 + area_.width && v >= area_.y0 && v < area_.y0 + area_.height;
-      out.cells.push_back(inside ? fused_.cells[area_.index(u, v)] : kUnknownCell);
-    }
-  return out;
+  return pictureOf(CellArea::about(x, y, side, fused_.resolution), fused_.resolution, [this](int u, int v) {
+    return area_.contains(u, v) ? fused_.cells[area_.index(u, v)] : kUnknownCell;
+  });
 }
 
 }  // namespace field_fusion::core

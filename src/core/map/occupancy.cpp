@@ -71,18 +71,17 @@ void OccupancyDrawer::draw(const Tile* tile, std::size_t slot) {
   }
 }
 
-Occupancy occupancyAbout(const TileMap& map, double resolution, double x, double y, double side) {
+CellArea CellArea::about(double x, double y, double side, double resolution) {
   const int cells = static_cast<int>(std::lround(side / resolution));
-  const int x0 = static_cast<int>(std::lround(x / resolution)) - cells / 2;
-  const int y0 = static_cast<int>(std::lround(y / resolution)) - cells / 2;
-  Occupancy out = {resolution, x0 * resolution, y0 * resolution, cells, cells, {}};
-  out.cells.reserve(static_cast<std::size_t>(cells) * cells);
-  for (int v = 0; v < cells; ++v)
-    for (int u = 0; u < cells; ++u) {
-      const Cell cell = map.cell(x0 + u, y0 + v);
-      out.cells.push_back(cell.visits > 0 ? static_cast<std::int8_t>(std::lround(100.f * cell.probability())) : kUnknownCell);
-    }
-  return out;
+  return {static_cast<int>(std::lround(x / resolution)) - cells / 2,
+          static_cast<int>(std::lround(y / resolution)) - cells / 2, cells, cells};
+}
+
+Occupancy occupancyAbout(const TileMap& map, double resolution, double x, double y, double side) {
+  return pictureOf(CellArea::about(x, y, side, resolution), resolution, [&map](int u, int v) {
+    const Cell cell = map.cell(u, v);
+    return cell.visits > 0 ? static_cast<std::int8_t>(std::lround(100.f * cell.probability())) : kUnknownCell;
+  });
 }
 
 TileMap tileMapOf(const Occupancy& picture, double resolution, float occupied) {

@@ -3,15 +3,9 @@
 #include <algorithm>
 
 #include "field_fusion/core/base/checked.h"
+#include "field_fusion/core/map/log_odds.h"
 
 namespace field_fusion::core {
-namespace {
-
-float logOddsOf(double probability) {
-  return static_cast<float>(std::log(probability / (1.0 - probability)));
-}
-
-}  // namespace
 
 VoxelMap::VoxelMap(const VoxelMapParams& params)
     : params_(checked(params)),
@@ -95,17 +89,15 @@ void VoxelMap::update(VoxelCounts& counts) {
 }
 
 float VoxelMap::logOdds(const VoxelKey& voxel) const {
-  const VoxelCube* cube = store_.find(voxel.unaryExpr([](int i) { return i >> kCubeBits; }));
+  const VoxelCube* cube = store_.find(cubeOf(voxel));
   if (!cube) return kNaN;
-  const VoxelKey in = voxel.unaryExpr([](int i) { return i & (kCubeSide - 1); });
-  const int i = in.x() + kCubeSide * (in.y() + kCubeSide * in.z());
+  const int i = indexInCube(voxel);
   return cube->known[i / 64] >> (i % 64) & 1 ? cube->log_odds[i] : kNaN;
 }
 
 void VoxelMap::set(const VoxelKey& voxel, float log_odds) {
-  VoxelCube& cube = store_.cube(voxel.unaryExpr([](int i) { return i >> kCubeBits; }));
-  const VoxelKey in = voxel.unaryExpr([](int i) { return i & (kCubeSide - 1); });
-  const int i = in.x() + kCubeSide * (in.y() + kCubeSide * in.z());
+  VoxelCube& cube = store_.cube(cubeOf(voxel));
+  const int i = indexInCube(voxel);
   cube.log_odds[i] = log_odds;
   cube.known[i / 64] |= std::uint64_t{1} << (i % 64);
 }

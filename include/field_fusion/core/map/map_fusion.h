@@ -59,18 +59,14 @@ class MapFusion {
   static constexpr int kMostCells = 1 << 28;
 
  private:
-  struct Area {  // [cells] of the lattice through the origin
-    int x0 = 0, y0 = 0, width = 0, height = 0;
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y - y0) * width + (x - x0); }
-  };
   using Layer = std::vector<std::int8_t>;  // by area_
   void add(Layer& layer, const Occupancy& map, Silence silence);
-  Area areaOf(const Occupancy& map);
-  void cover(const Area& wanted);
-  void fuse(const Area& part);
+  CellArea areaOf(const Occupancy& map);
+  void cover(const CellArea& wanted);
+  void fuse(const CellArea& part);
 
   MapFusionParams params_;
-  Area area_;
+  CellArea area_;
   Layer a_, b_;
   Occupancy fused_;
   double shift_ = 0.0;

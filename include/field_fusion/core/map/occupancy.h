@@ -17,6 +17,27 @@ struct Occupancy {
   std::vector<std::int8_t> cells;
 };
 
+/// A rectangle of cells [x0, x0 + width) x [y0, y0 + height) of the lattice through the origin.
+struct CellArea {
+  int x0 = 0, y0 = 0, width = 0, height = 0;
+
+  /// The square of `side` [m] about a place [m].
+  static CellArea about(double x, double y, double side, double resolution);
+  bool contains(int x, int y) const { return x >= x0 && x < x0 + width && y >= y0 && y < y0 + height; }
+  std::size_t size() const { return static_cast<std::size_t>(width) * height; }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y - y0) * width + (x - x0); }
+};
+
+/// The area's picture: `cell(x, y)` of each of its cells.
+template <class CellAt>
+Occupancy pictureOf(const CellArea& area, double resolution, const CellAt& cell) {
+  Occupancy out = {resolution, area.x0 * resolution, area.y0 * resolution, area.width, area.height, {}};
+  out.cells.reserve(area.size());
+  for (int y = area.y0; y < area.y0 + area.height; ++y)
+    for (int x = area.x0; x < area.x0 + area.width; ++x) out.cells.push_back(cell(x, y));
+  return out;
+}
+
 /// Draws maps that follow one another: only tiles whose revision is another than the one drawn there. The picture
 /// grows by tiles and does not shrink.
 class OccupancyDrawer {

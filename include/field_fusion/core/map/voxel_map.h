@@ -98,13 +98,10 @@ class VoxelMap {
   void set(const VoxelKey& voxel, float log_odds);
 
  private:
-  struct Column {  // of the lattice, [x0, x0 + width) x [y0, y0 + height)
-    int x0, y0, width, height;
-  };
   void mark(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& sensor, std::size_t part,
             VoxelMarks& marks, VoxelCounts& counts) const;
   void update(VoxelCounts& counts);
-  Occupancy project(const Column& area) const;
+  Occupancy project(const CellArea& area) const;
 
   VoxelMapParams params_;
   VoxelLattice lattice_;

@@ -64,6 +64,16 @@ void forEachBit(const CubeBits& bits, const Visit& visit) {
       visit(static_cast<int>(64 * w) + __builtin_ctzll(left));
 }
 
+inline CubeKey cubeOf(const VoxelKey& voxel) {
+  return {voxel.x() >> kCubeBits, voxel.y() >> kCubeBits, voxel.z() >> kCubeBits};
+}
+
+/// As counted in CubeBits.
+inline int indexInCube(const VoxelKey& voxel) {
+  const auto in = [](int place) { return place & (kCubeSide - 1); };
+  return in(voxel.x()) + kCubeSide * (in(voxel.y()) + kCubeSide * in(voxel.z()));
+}
+
 /// Voxel i of a cube, as counted in CubeBits.
 inline VoxelKey voxelOf(const CubeKey& cube, int i) {
   return cube * kCubeSide + VoxelKey(i & 7, i >> 3 & 7, i >> 6);
