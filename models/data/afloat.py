@@ -8,9 +8,10 @@ def dark_or_bright(draw, dark):
     return draw.colour((0.08, 0.3), (0, 0.3)) if draw.chance(dark) else draw.colour(*SIGNAL)
 
 
-def cage(draw):
+def cage(draw, sizes=(0.4, 12)):
+    """`sizes`: of its diameter [m]."""
     shape = draw.kind({"cage": 3, "pontoon_cage": 1.5}, {"bird_net_cage": 1, "pontoon_cage": 1})
-    params = {"diameter": draw.spread(2 if draw.held_out else 0.4, 12), "height": draw.number(0.7, 1.4),
+    params = {"diameter": draw.spread(2 if draw.held_out else sizes[0], sizes[1]), "height": draw.number(0.7, 1.4),
               "transparency": draw.number(0.6, 0.95), "draught": draw.number(0.5, 2)}
     if shape == "cage":
         params.update(posts=draw.randint(8, 30), tube=draw.number(0.12, 0.4), rails=draw.randint(1, 3),

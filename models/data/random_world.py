@@ -3,7 +3,7 @@ import pathlib
 
 import yaml
 
-from data import bodies, surroundings
+from data import bodies, site, surroundings
 from data.draw import Draw
 from data.quay import put_quay
 from data.scene import Scene
@@ -33,6 +33,8 @@ def random_world(split, seed):
     camera = surroundings.camera(draw, draw.chance(0.75))
     places, keys = surroundings.way(draw, wet)
     scene = Scene(draw, places, camera)
+    if split == "train" and not (wet or empty) and draw.chance(site.SHARE):
+        site.put_site(scene)
     fill(scene, wet, empty)
     ground = surroundings.water(draw) if wet else surroundings.land(draw)
     return {"name": f"{split}_{seed}", "ground": ground, "light": surroundings.light(draw), "bodies": scene.bodies,
