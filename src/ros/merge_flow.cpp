@@ -46,7 +46,10 @@ boost::shared_ptr<sensor_msgs::LaserScan> MergeFlow::run(std::size_t input,
         merger_.add(in.scan, level_.sensor(T_plane_base, stamp, in.header, tf));
         in.merged = true;
       } catch (const std::runtime_error& e) {
-        if (i == input) throw;
+        if (i == input) {
+          in.header = {};  // what cannot be used must not lead: the others would wait for it
+          throw;
+        }
         faults[i] = e.what();
       }
   }

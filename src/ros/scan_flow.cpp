@@ -5,6 +5,16 @@
 #include "field_fusion/ros/scan_message.h"
 
 namespace field_fusion {
+namespace {
+
+/// Raw scans are told from others by their time_increment; of a driver that sends none, by that which is known otherwise.
+sensor_msgs::LaserScan::ConstPtr marked(const sensor_msgs::LaserScan& raw, double time_increment) {
+  const auto out = boost::make_shared<sensor_msgs::LaserScan>(raw);
+  out->time_increment = static_cast<float>(time_increment);
+  return out;
+}
+
+}  // namespace
 
 void ScanFlow::setParams(const DeskewScanParams& params) {
   motion_.setParams(params.motion);
@@ -56,6 +66,7 @@ ScanFlow::Output ScanFlow::run(const sensor_msgs::LaserScan::ConstPtr& message, 
     if (params_.motion.fallback == MotionParams::Fallback::kDrop) throw std::runtime_error(why);
     out.log = raw_.add(why);
     core::scanPoints(scan_, sweep_.begin, timing_.time_increment, points->points);
+    if (message->time_increment == 0.f && timing_.time_increment != 0.0) out.scan = marked(*message, timing_.time_increment);
     return out;
   }
   scan_.scan_time = timing_.scan_time;

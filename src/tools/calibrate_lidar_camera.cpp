@@ -44,8 +44,8 @@ class Calibrator {
     findPoses();
     readScans();
     const core::Calibration found = solve();
+    printTable(found);  // first: it stays where nothing can be written
     write(found);
-    printTable(found);
   }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 // What the calibrations write: a launch file and a YAML file; calibrate_lidar_camera a picture of each pose and a table, too.
 #include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -30,8 +31,10 @@ inline void writeLaunch(const std::filesystem::path& file, const std::string& pr
   const Eigen::Vector3d p = T_sensor_camera.translation();
   const Eigen::Quaterniond q(T_sensor_camera.linear());
   std::ofstream out = opened(file);
+  std::string node = sensor;  // names of nodes have no slash, those of frames may
+  std::replace(node.begin(), node.end(), '/', '_');
   out << "<launch>\n  <!-- where " << program << " found the camera; nothing else may be a parent of its frame -->\n"
-      << "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"" << sensor << "_to_camera\"\n        args=\""
+      << "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"" << node << "_to_camera\"\n        args=\""
       << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w() << ' ' << sensor
       << ' ' << camera << "\"/>\n</launch>\n";
 }

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "field_fusion/core/io/carmen.h"
@@ -106,13 +107,16 @@ int main(int argc, char** argv) {
   CLI::App app("Turns a CARMEN log into a bag: /scan, /odom, /tf (odom to base), /tf_static (base to laser).");
   app.add_option("log", o.log, "FLASER, ROBOTLASER1 or RAWLASER1 lines, and ODOM")->required();
   app.add_option("bag", o.bag, "file to write")->required();
-  app.add_option("--laser", o.laser, "X Y YAW [m m deg] of the scanner on the robot (default: as the log says)")->expected(3);
+  app.add_option("--laser", o.laser, "X Y YAW [m m deg] of the scanner on the robot (default: as the log says)")
+      ->expected(3)->check(CLI::Range(-1e6, 1e6));
   app.add_option("--max-range", o.max_range, "[m] of the scanner, where the log does not say")->capture_default_str()
       ->check(CLI::Range(0.1, 1000.0));
-  app.add_option("--start", o.start, "[s] added to every stamp");
+  app.add_option("--start", o.start, "[s] added to every stamp")->check(CLI::Range(-4e9, 4e9));
   app.add_flag("--logger-stamps", o.logger_stamps, "the stamps of the logger, not of who measured");
   CLI11_PARSE(app, argc, argv);
   try {
+    std::error_code none;
+    if (std::filesystem::equivalent(o.log, o.bag, none)) throw std::runtime_error(o.bag + " is the log itself");
     convert(o);
   } catch (const std::exception& e) {
     std::cerr << "carmen_to_bag: " << e.what() << "\n";

@@ -94,6 +94,17 @@ TEST_F(ScanMergeStage, PartnerThatIsAheadDoesNotTakeOver) {
   EXPECT_FLOAT_EQ(out_.last->ranges[90], 6.f);
 }
 
+TEST_F(ScanMergeStage, AScannerThatNoTransformPlacesDoesNotSilenceTheOthers) {
+  ASSERT_TRUE(works());
+  next();
+  scan_.send(scanAt(now_, "lost", 5.f, 6.f));
+  ASSERT_TRUE(spinUntil([&] { return !diagnostics_.value("scan_merge", "scan: dropped, no transform").empty(); }));
+  now_ += 0.1;
+  depth_.send(scanAt(now_, "depth", 2.f, core::kFree));
+  ASSERT_TRUE(came());
+  EXPECT_FLOAT_EQ(out_.last->ranges[180], 2.f);
+}
+
 TEST_F(ScanMergeStage, PitchIsTakenOutOfTheProjection) {
   ASSERT_TRUE(works());
   pitch_ = core::radians(-5.0);  // looks up

@@ -95,7 +95,24 @@ def back(i, message):
     return message
 
 
+def dead(i, message):
+    message.angular_velocity.y = 0.0
+    return message
+
+
+def huge(i, message):
+    message.linear_acceleration.z = 1e200 if i == 600 else 0.0
+    return message
+
+
+def slow(i, message):
+    message.header.stamp = rospy.Time.from_sec(1000 + 2.5 * i)
+    return message
+
+
 @pytest.mark.parametrize("change, seconds, words", [
+    (dead, 25, "gyroscope_y is the same in every sample"), (huge, 25, "1012.000: accelerometer_z is 1e+200"),
+    (slow, 25, "0.4 samples a second"),
     (moved, 25, "1012.000: it moves, gyroscope_z"), (broken, 25, "1012.000: a sample is not finite"),
     (back, 25, "1007.000 does not come after"), (lambda i, m: m if i < 600 or i > 620 else None, 25, "1012.420 comes after a gap"),
     (lambda i, m: m if i % 100 else None, 25, "samples are lost"), (lambda i, m: m, 10, "500 samples"),
@@ -112,3 +129,6 @@ def test_a_topic_is_found_or_asked_for(tmp_path):
     assert done.returncode == 1 and "no sensor_msgs/Imu on /other; there is imu" in done.stderr
     done = rosrun("calibrate_imu", tmp_path / "none.bag")
     assert done.returncode == 1 and "none.bag" in done.stderr and "Traceback" not in done.stderr
+    (tmp_path / "noise.bag").write_bytes(bytes(range(256)) * 40)
+    done = rosrun("calibrate_imu", tmp_path / "noise.bag")
+    assert done.returncode == 1 and "no bag that can be read" in done.stderr and "Traceback" not in done.stderr

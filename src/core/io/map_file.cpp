@@ -61,15 +61,23 @@ Occupancy readPicture(const fs::path& file, const Meaning& m) {
   return out;
 }
 
+/// In quotes where YAML would read something else.
+std::string yamlText(const std::string& text) {
+  YAML::Emitter out;
+  out << text;
+  return out.c_str();
+}
+
 }  // namespace
 
 void writeMap(const fs::path& yaml, const Occupancy& map) {
   if (yaml.extension() != ".yaml") throw std::runtime_error("a map's name ends in .yaml: '" + yaml.string() + "'");
   if (map.cells.empty()) throw std::runtime_error("there is no map yet");
   const fs::path picture = fs::path(yaml).replace_extension(".pgm");
+  if (fs::is_directory(yaml)) throw std::runtime_error("cannot write " + yaml.string() + ": it is a folder");
   replaceFile(picture, [&](std::ostream& out) { writePicture(out, map); });
   replaceFile(yaml, [&](std::ostream& out) {
-    out << "image: " << picture.filename().string() << "\nresolution: " << floatText(map.resolution) << "\norigin: ["
+    out << "image: " << yamlText(picture.filename().string()) << "\nresolution: " << floatText(map.resolution) << "\norigin: ["
         << floatText(map.x) << ", " << floatText(map.y) << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   });
 }

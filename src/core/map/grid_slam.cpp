@@ -61,12 +61,13 @@ GridSlam::Outcome GridSlam::process(const SlamScan& scan, const Pose2& T_odom_ba
   if (count_ == 0) {
     if (scan.hits.empty()) return Outcome::kBlind;
     begin(T_odom_base);
+    odom_ns_ = stamp_ns;
     if (!start_) {
       record(scan, stamp_ns);
       return Outcome::kProcessed;
     }
   } else {
-    follow(T_odom_base);
+    follow(T_odom_base, stamp_ns);
     if (!due(stamp_ns)) return Outcome::kSkipped;
   }
   const bool blind = scan.hits.empty();
@@ -84,12 +85,15 @@ void GridSlam::begin(const Pose2& T_odom_base) {
     for (Particle& p : particles_) p.pose = T_odom_base;
 }
 
-/// A wheel that spins or a driver that starts anew makes steps that no robot makes.
-void GridSlam::follow(const Pose2& T_odom_base) {
+/// A driver that starts anew makes steps that no robot makes in that time; after a gap between scans a long one may be true.
+void GridSlam::follow(const Pose2& T_odom_base, std::int64_t stamp_ns) {
+  constexpr double kSlack = 0.5, kSlackTurn = radians(30.0);  // m, rad: stamps are not exact
   const Pose2 step = between(last_odom_, T_odom_base);
-  last_odom_ = T_odom_base;
+  const double seconds = 1e-9 * static_cast<double>(std::max<std::int64_t>(0, stamp_ns - odom_ns_));
+  last_odom_ = T_odom_base, odom_ns_ = stamp_ns;
   const double way = step.position().norm();
-  if (way > params_.max_step) {
+  if (way > params_.max_speed * seconds + kSlack ||
+      std::abs(step.yaw) > radians(params_.max_turn_rate) * seconds + kSlackTurn) {
     ++jumps_;
     return;
   }

@@ -35,6 +35,14 @@ TEST(MapFile, ComesBackAsItWas) {
   EXPECT_DOUBLE_EQ(back.resolution, 0.05);
 }
 
+TEST(MapFile, ComesBackWhateverItsName) {
+  const test::TempFolder folder;
+  for (const char* name : {"my map #2.yaml", "a: b.yaml", "- x.yaml", "\"q\".yaml"}) {
+    writeMap(folder.path() / name, kMap);
+    EXPECT_EQ(readMap(folder.path() / name).cells, kMap.cells) << name;
+  }
+}
+
 TEST(MapFile, ThatCannotBeWrittenLeavesTheOldOne) {
   const test::TempFolder folder;
   EXPECT_THROW(writeMap(folder.path() / "none" / "a.yaml", kMap), std::runtime_error);
@@ -42,6 +50,7 @@ TEST(MapFile, ThatCannotBeWrittenLeavesTheOldOne) {
   EXPECT_THROW(writeMap(folder.path() / "a.yaml", {}), std::runtime_error) << "no map yet";
   std::filesystem::create_directories(folder.path() / "b.yaml" / "full");
   EXPECT_THROW(writeMap(folder.path() / "b.yaml", kMap), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.pgm")) << "a new picture beside an old file would be another map";
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
 }

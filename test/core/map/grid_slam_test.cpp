@@ -101,6 +101,28 @@ TEST(GridSlam, TakesAJumpOfOdometryForAFault) {
   EXPECT_THROW(slam.process(test::roomScan({}), {NAN, 0, 0}, 1), std::invalid_argument);
 }
 
+/// Its odometry begins at 0 again, 3 m and a right angle off, from one scan to the next.
+TEST(GridSlam, ADriverThatStartsAnewIsNoMotion) {
+  for (const Pose2& anew : {Pose2{-3, 0, 0}, Pose2{0, 0.1, radians(90)}}) {
+    GridSlam slam(few());
+    Walk walk;
+    for (int i = 0; i < 20; ++i, walk.step()) {
+      const Pose2 odometry = i < 10 ? walk.truth : anew * walk.truth;
+      slam.process(test::roomScan(walk.truth), odometry, walk.stamp_ns);
+      if (i > 11) EXPECT_LT((slam.pose().position() - walk.truth.position()).norm(), 0.05) << i;
+    }
+    EXPECT_EQ(slam.odometryJumps(), 1u);
+  }
+}
+
+TEST(GridSlam, AfterAGapBetweenScansALongWayIsTrue) {
+  GridSlam slam(few());
+  slam.process(test::roomScan({}), {}, 1'000'000'000);
+  const Pose2 on{2.0, 0.5, 0.3};
+  slam.process(test::roomScan(on), {12.0, 0.5, 0.3}, 11'000'000'000);  // odometry ran for 10 s
+  EXPECT_EQ(slam.odometryJumps(), 0u);
+}
+
 TEST(GridSlam, StartsAnew) {
   GridSlam slam(few());
   slam.process(test::roomScan({}), {}, 1);

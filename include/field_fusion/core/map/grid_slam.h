@@ -52,7 +52,7 @@ class GridSlam {
 
  private:
   bool due(std::int64_t stamp_ns) const;
-  void follow(const Pose2& T_odom_base);
+  void follow(const Pose2& T_odom_base, std::int64_t stamp_ns);
   void begin(const Pose2& T_odom_base);
   PosePrior prior(const Particle& particle) const;
   void move(Particle& particle, std::size_t index, const SlamScan& scan, ScanMatcher& matcher) const;
@@ -71,7 +71,7 @@ class GridSlam {
   double effective_ = 0.0;
   Motion since_;      // the last scan that was taken in
   Pose2 last_odom_;
-  std::int64_t last_ns_ = 0;
+  std::int64_t odom_ns_ = 0, last_ns_ = 0;  // of the last scan, and of the last that was taken in
   std::uint64_t count_ = 0, jumps_ = 0;  // scans taken in
 };
 
