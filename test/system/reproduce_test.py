@@ -107,7 +107,7 @@ def test_a_worse_inertial_unit_is_calibrated_worse():
 
 
 def test_the_depth_camera_adds_what_lies_below_the_scanner(tmp_path):
-    figures, said = reproduced("--quick", "--out", tmp_path, name="quadruped")
+    figures, said = reproduced("--quick", "--parts", "obstacles", "--out", tmp_path, name="quadruped")
     assert figures["pmf/obstacles/lidar_found"][0] <= 4, "four lie below its beams or between them"
     assert figures["pmf/obstacles/pmf_found"] == (8.0, "-")
     assert figures["pmf/phantom_cells"][0] <= 0.01
