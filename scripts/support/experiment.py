@@ -24,14 +24,17 @@ class Experiment:
 
     def __init__(self, given, session, folder):
         self.given, self.session, self.folder = given, session, folder
-        self.quick, self.seeds = given.quick, range(1, (1 if given.quick else given.seeds) + 1)
+        self.quick, self.seeds = given.quick, range(1, (given.seeds or (1 if given.quick else 5)) + 1)
 
     def say(self, text):
         print(text, flush=True)
 
-    def bag(self, world, seconds, seed, *more):
+    def world_file(self, world):
         """Of a world (a dictionary), with the sensors as bad as was asked for."""
-        file = sim_world.write(sim_world.degraded(world, self.given.degrade), self.folder)
+        return sim_world.write(sim_world.degraded(world, self.given.degrade), self.folder)
+
+    def bag(self, world, seconds, seed, *more):
+        file = self.world_file(world)
         bag = self.folder / "bags" / f"{world['name']}_{seed}.bag"
         bag.parent.mkdir(exist_ok=True)
         stage_run.tool("make_bag", file, bag, "--seconds", seconds, "--seed", seed, *more, quiet=True)

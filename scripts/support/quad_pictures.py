@@ -8,8 +8,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 MARGIN = 0.3  # m
 
 
-def maps(grids, titles, file):
-    """White: free; black: occupied; grey: unknown."""
+def maps(grids, titles, file, missed=None):
+    """White: free; black: occupied; grey: unknown. Red: `missed`, {name: n x 2 places in the map [m]}."""
     figure, axes = plt.subplots(len(grids), 1, figsize=(8, 3.4 * len(grids)), squeeze=False)
     for axis, (name, grid) in zip(axes[:, 0], grids.items()):
         info = grid.info
@@ -22,6 +22,8 @@ def maps(grids, titles, file):
         if len(rows):
             axis.set_xlim(x + columns.min() * side - MARGIN, x + (columns.max() + 1) * side + MARGIN)
             axis.set_ylim(y + rows.min() * side - MARGIN, y + (rows.max() + 1) * side + MARGIN)
+        if missed is not None:
+            axis.plot(*missed[name].T, "r.", markersize=2)
         axis.set_title(titles[name])
         axis.set_xlabel("x [m]")
         axis.set_ylabel("y [m]")

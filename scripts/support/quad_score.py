@@ -66,8 +66,3 @@ def found(points, all_bodies, resolution):
     """Names of the labelled bodies that the points show."""
     return [body.name for body in all_bodies if body.label
             and shown(points, body, [other for other in all_bodies if other is not body], NEAR * resolution)]
-
-
-def phantoms(points, all_bodies, near):
-    """How many points are farther than `near` [m] from every body."""
-    return int(numpy.sum(numpy.min([body.distance(points) for body in all_bodies], axis=0) > near))

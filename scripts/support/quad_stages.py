@@ -9,6 +9,7 @@ from sensor_msgs.msg import CameraInfo, Image, LaserScan
 from tf2_msgs.msg import TFMessage
 
 import sim_bag
+import sim_world
 import stage_run
 from lock_step import MapSteps
 from ros_session import RosSession, SessionError
@@ -17,8 +18,9 @@ ODOM, SCAN, IMAGE, INFO = "/odom", "/scan/scan", "/depth/depth/image_raw", "/dep
 KINDS = {"/tf": TFMessage, ODOM: Odometry, SCAN: LaserScan, IMAGE: Image, INFO: CameraInfo}
 # Of each way to fuse: map A, and what is made of it. PF is the paper's scan of both sensors.
 MAPS = {"lidar": "/map", "pf": "/pf/map", "pmf": "/fused_map", "pmf_pf": "/pf/fused_map"}
+QUEUE = 100  # maps that wait to be heard
 BURST = 1000  # messages between two answers, at most
-EVERY = 3  # of 30 depth images a second
+RATE, MOUNTS = 10.0, ("scan", "depth", "odom")  # depth images a second that are played, and sensors that take part
 LINKING = 5.0  # s of wall time for an answer before the first
 AHEAD = genpy.Duration.from_sec(0.02)  # that odometry is sent beyond a scan or an image
 
@@ -50,8 +52,13 @@ def _robot(file):
     return values
 
 
-def play(experiment, bag_file):
-    """({name of MAPS: the last OccupancyGrid}, the Path of the first map)."""
+def bag(experiment, world, seconds, seed):
+    """With what `play` plays alone."""
+    return experiment.bag(sim_world.with_mounts(world, {"depth": {"rate": RATE}}), seconds, seed, "--mounts", *MOUNTS)
+
+
+def play(experiment, bag_file, heard=None):
+    """({name of MAPS: the last OccupancyGrid}, the Path of the first map). `heard(name, map)` gets every map that comes."""
     robot = experiment.folder / "quadruped.yaml"
     values = _robot(robot)
     launch = experiment.folder / "quadruped.launch"
@@ -60,7 +67,13 @@ def play(experiment, bag_file):
     process = session.start("roslaunch", str(launch))
     latest = {}
     keep = lambda message, topic: latest.__setitem__(topic, message)
-    subscribers = [rospy.Subscriber(topic, OccupancyGrid, keep, topic, queue_size=1) for topic in MAPS.values()]
+
+    def keep_map(grid, name):
+        keep(grid, MAPS[name])
+        if heard:
+            heard(name, grid)
+
+    subscribers = [rospy.Subscriber(topic, OccupancyGrid, keep_map, name, queue_size=QUEUE) for name, topic in MAPS.items()]
     subscribers.append(rospy.Subscriber("/path", Path, keep, "/path", queue_size=1))
     steps = MapSteps(KINDS, sim_bag.static_transforms(bag_file),
                       {"/tf": TFMessage, "/scan_merged": LaserScan, "/projected_map": OccupancyGrid},
@@ -83,7 +96,8 @@ def play(experiment, bag_file):
 def _feed(steps, bag_file, delay):
     """Stamp of the last depth image that was answered. An answer is waited for once the odometry is beyond its message; until
     the first is in, not all stages may listen to one another yet."""
-    waiting, asked, images, last = [], {}, 0, genpy.Time()
+    waiting, asked, newest, last = [], {}, genpy.Time(), genpy.Time()
+    apart = genpy.Duration.from_sec(0.9 / RATE)
     began = mapped = due = None  # first odometry, first transform of the map
     with rosbag.Bag(str(bag_file)) as bag:
         for topic, message, time in bag.read_messages(topics=list(KINDS)):
@@ -92,19 +106,19 @@ def _feed(steps, bag_file, delay):
                     steps.require(waiting, asked, stage_run.PATIENCE)
                 elif steps.answer(waiting, asked, LINKING):
                     mapped = asked["/tf"]
+                last = asked.get("/projected_map", last)
                 waiting, asked = [], {}
-            images += topic == INFO  # comes before its image
             stamp = message.header.stamp if topic != "/tf" else None
             began = began or (stamp if topic == ODOM else None)
             if topic == SCAN and (began is None or stamp < began):
                 continue  # no odometry tells where it was
-            if topic in (IMAGE, INFO) and (mapped is None or stamp < mapped or images % EVERY):
+            if topic in (IMAGE, INFO) and (mapped is None or stamp < mapped or stamp < newest + apart):
                 continue  # nothing tells where it was in the map, or left out
             waiting.append((topic, message))
             if topic == SCAN:
                 asked.update({"/tf": stamp + delay, "/scan_merged": stamp})
             elif topic == IMAGE:
-                asked["/projected_map"] = last = stamp
+                asked["/projected_map"] = newest = stamp
             if topic in (SCAN, IMAGE):
                 due = time + AHEAD
     return last

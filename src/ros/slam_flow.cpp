@@ -9,6 +9,8 @@
 namespace field_fusion {
 namespace {
 
+constexpr double kMisfitShown = 10.0;  // [s, stamps] that a scan which does not fit keeps the status at WARN
+
 core::ScanLimits limitsOf(const core::GridSlamParams& p) { return {p.min_range, p.usable_range, p.max_range}; }
 
 }  // namespace
@@ -28,7 +30,7 @@ void SlamFlow::setParams(const SlamStageParams& params) {
 void SlamFlow::reset() {
   params_.map_file.empty() ? slam_->reset() : slam_->reset(loaded_, params_.start());
   drawer_.reset(), local_.clear();
-  header_ = {}, drawn_ = {};
+  header_ = {}, drawn_ = {}, misfit_ = {};
   header_.frame_id = params_.map_frame;
 }
 
@@ -51,9 +53,16 @@ SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCach
   local_.add(scan, slam_->best().path.get(), params_.local_way);
   if (outcome == Outcome::kBlind) return {};
   ++taken_;
+  noteFit();
   const bool due = drawn_.isZero() || (header_.stamp - drawn_).toSec() >= params_.map_update_interval;
   if (due) drawn_ = header_.stamp;
   return {true, due};
+}
+
+/// The map takes the scan in where it is: later ones may fit that, so one is told of for a while.
+void SlamFlow::noteFit() {
+  if (slam_->fit() >= params_.misfit) return;
+  ++misfits_, misfit_ = header_.stamp;
 }
 
 void SlamFlow::sendTransform(const core::Pose2& T_odom_base) {
@@ -83,7 +92,11 @@ boost::shared_ptr<std_msgs::Float64> SlamFlow::entropy() const {
 void SlamFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   if (slam_->odometryJumps() > 0) status.mergeSummary(DiagnosticStatus::WARN, "odometry has jumped");
+  if (!misfit_.isZero() && (header_.stamp - misfit_).toSec() < kMisfitShown)
+    status.mergeSummary(DiagnosticStatus::WARN, "a scan did not fit the map: has the robot been carried?");
   status.add("scans taken into the map", taken_);
+  status.add("scans that did not fit it", misfits_);
+  status.add("last scan: share that fits", slam_->fit());
   status.add("scans without any return", blind_);
   status.add("jumps of the odometry", slam_->odometryJumps());
   status.add("particles that count (N_eff)", slam_->effective());

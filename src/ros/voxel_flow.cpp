@@ -33,8 +33,16 @@ void VoxelFlow::run(const sensor_msgs::Image& image, const CameraModel& camera, 
   insert(points_, image.header, tf);
 }
 
+core::Transform VoxelFlow::sensorIn(const std_msgs::Header& header, const TfCache& tf) const {
+  core::Transform T_map_sensor = tf.lookup(params_.map_frame, header);
+  if (params_.base_frame.empty()) return T_map_sensor;
+  const double height = tf.lookup(params_.map_frame, params_.base_frame, header.stamp).translation().z();
+  T_map_sensor.translation().z() += params_.base_height - height;
+  return T_map_sensor;
+}
+
 void VoxelFlow::insert(const core::Cloud& cloud, const std_msgs::Header& header, const TfCache& tf) {
-  const core::Transform T_map_sensor = tf.lookup(params_.map_frame, header);
+  const core::Transform T_map_sensor = sensorIn(header, tf);
   if (params_.thin) thin_.run(cloud, params_.map.resolution, thinned_);
   counts_ = map_->insert(params_.thin ? thinned_ : cloud, T_map_sensor);
   header_.stamp = header.stamp;

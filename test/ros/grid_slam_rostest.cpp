@@ -151,6 +151,29 @@ TEST_F(GridSlamStage, AJumpOfOdometryIsNoMotion) {
   EXPECT_TRUE(spinUntil([&] { return diagnostics_.value("grid_slam", "jumps of the odometry") == "1"; }));
 }
 
+TEST_F(GridSlamStage, CarriedElsewhereItSaysSoAndGoesOn) {
+  const Sender<sensor_msgs::LaserScan> scan("carried/scan");  // a stage of its own, with nothing of the tests before
+  const Received<nav_msgs::OccupancyGrid> map("carried/map");
+  const auto walks = [&] {
+    return askUntil([&, before = map.count] { return map.count > before; }, [&] {
+      robot_.walk();
+      frames_.send(now_, "odom", "base", solid(odom_));
+      scan.send(this->scan("laser"));
+    });
+  };
+  ASSERT_TRUE(spinUntil([&] { return scan.connected() && map.connected(); }));
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(walks()) << i;
+  ASSERT_TRUE(spinUntil([&] { return diagnostics_.value("carried/slam", "scans that did not fit it") == "0"; }));
+  truth_ = core::Pose2{-2.5, 1.0, truth_.yaw + 2.0};  // by hand: odometry does not see it
+  ASSERT_TRUE(walks());
+  EXPECT_TRUE(spinUntil([&] {
+    const auto* status = diagnostics_.of("carried/slam");
+    return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
+           status->message.find("has the robot been carried") != std::string::npos;
+  }));
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(walks()) << "it goes on";
+}
+
 TEST_F(GridSlamStage, MissingTransformIsNamedAndABagMayLoop) {
   ASSERT_TRUE(begins());
   robot_.walk();

@@ -77,6 +77,37 @@ TEST_F(MapFusionStage, IsOccupiedWhereEitherIs) {
   EXPECT_GE(cell(1), 50) << "however often";
 }
 
+TEST_F(MapFusionStage, BeforeAnyScanMapBIsAllThereIsAndThatIsSaid) {
+  ASSERT_TRUE(askUntil([this] { return came(); }, [this] { now_ += 0.1, b_.send(grid({-1, 97, 12, -1})); }));
+  EXPECT_EQ(cell(0), -1);
+  EXPECT_GE(cell(1), 50);
+  EXPECT_LT(cell(2), 50);
+  EXPECT_TRUE(says("no map A yet"));
+  now_ += 0.1;
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  EXPECT_GE(cell(0), 50);
+  EXPECT_GE(cell(1), 50);
+}
+
+TEST_F(MapFusionStage, WithoutTheCameraMapAGoesOnAndThatIsSaid) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  now_ += 0.1;
+  ASSERT_TRUE(sendB(grid({-1, 97, -1, -1})));
+  EXPECT_TRUE(spinUntil(
+      [&] {
+        const auto* status = diagnostics_.of("map_fusion");
+        return status && status->message.find("nothing new on projected_map") != std::string::npos;
+      },
+      [&] { now_ += 0.1, a_.send(grid({100, 0, 100, -1})); }));
+  now_ += 0.1;
+  ASSERT_TRUE(begins({100, 0, 100, -1}));
+  EXPECT_GE(cell(1), 50) << "what the camera told";
+  EXPECT_GE(cell(2), 50);
+  now_ += 10.0;
+  ASSERT_TRUE(sendB(grid({-1, 12, -1, -1}))) << "it is back";
+  EXPECT_LT(cell(1), 50);
+}
+
 TEST_F(MapFusionStage, MapsOfAnotherFrameOrResolutionAreRefusedAndNothingIsLost) {
   ASSERT_TRUE(begins({100, 0, 0, -1}));
   now_ += 0.1;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "support/stage_probe.h"
@@ -92,6 +93,15 @@ TEST(Refuse, ModelOfAnotherShapeIsNamedWithItsShape) {
       start("detect", "refused_shape", "_model:=" PROJECT_DIR "/test/fixtures/transposed_head.onnx");
   EXPECT_NE(outcome.status, 0);
   EXPECT_SAYS(outcome, "1x21x6");
+}
+
+TEST(Refuse, VoxelsThatAreCutShort) {
+  const std::string path = testing::TempDir() + "refuse_cut.bt";
+  std::ofstream(path) << "# Octomap OcTree binary file\nid OcTree\nsize 100\nres 0.05\ndata\n\x01";
+  const auto outcome = start("voxel_map", "refused_voxels", "_map_file:=" + path);
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.status, kTimedOut);
+  EXPECT_SAYS(outcome, path);
 }
 
 TEST(Refuse, ClassFileShorterThanTheModelsClasses) {

@@ -61,6 +61,25 @@ class VoxelMapStage : public testing::Test {
   bool sees(double distance) {
     return askUntil([this] { return came(map_); }, [&] { next(), cloud_.send(wall(distance)); });
   }
+  /// The same of an image, by the stage whose heights are those over the ground below the base.
+  bool seesByImage() {
+    DepthRoom room;
+    room.width = 160, room.height = 120, room.focal = 100.0, room.wall = 2.02;
+    room.T_base_camera = cameraAt(0.0, 0.3, 0.0);
+    const auto pixels = room.pixels<std::uint16_t>(0.001);
+    return askUntil([this] { return came(by_image_); }, [&] {
+      next();
+      const core::Pinhole camera{room.focal, room.focal, 0.5 * room.width, 0.5 * room.height};
+      info_.send(cameraInfo(header("camera"), camera, {room.width, room.height}));
+      sensor_msgs::Image image;
+      image.header = header("camera");
+      image.width = static_cast<std::uint32_t>(room.width), image.height = static_cast<std::uint32_t>(room.height);
+      image.encoding = "16UC1", image.step = image.width * 2;
+      image.data.resize(pixels.size() * 2);
+      std::memcpy(image.data.data(), pixels.data(), image.data.size());
+      image_.send(image);
+    });
+  }
   static int cellAt(const nav_msgs::OccupancyGrid& map, double x, double y) {
     const int u = static_cast<int>(std::floor((x - map.info.origin.position.x) / map.info.resolution));
     const int v = static_cast<int>(std::floor((y - map.info.origin.position.y) / map.info.resolution));
@@ -106,27 +125,19 @@ TEST_F(VoxelMapStage, FollowsTheRobot) {
 }
 
 TEST_F(VoxelMapStage, AnImageSaysTheSame) {
-  DepthRoom room;
-  room.width = 160, room.height = 120, room.focal = 100.0, room.wall = 2.02;
-  room.T_base_camera = cameraAt(0.0, 0.3, 0.0);
-  const auto pixels = room.pixels<std::uint16_t>(0.001);
-  ASSERT_TRUE(
-      askUntil([this] { return came(by_image_); },
-               [&] {
-                 next();
-                 const core::Pinhole camera{room.focal, room.focal, 0.5 * room.width, 0.5 * room.height};
-                 info_.send(cameraInfo(header("camera"), camera, {room.width, room.height}));
-                 sensor_msgs::Image image;
-                 image.header = header("camera");
-                 image.width = static_cast<std::uint32_t>(room.width),
-                 image.height = static_cast<std::uint32_t>(room.height);
-                 image.encoding = "16UC1", image.step = image.width * 2;
-                 image.data.resize(pixels.size() * 2);
-                 std::memcpy(image.data.data(), pixels.data(), image.data.size());
-                 image_.send(image);
-               }));
+  ASSERT_TRUE(seesByImage());
   EXPECT_GE(cellAt(*by_image_.last, 2.02, 0.02), 50);
   EXPECT_LT(cellAt(*by_image_.last, 1.0, 0.02), 50);
+}
+
+TEST_F(VoxelMapStage, AHeightThatDriftsMakesNoObstacleOfTheFloorWhereTheBaseIsOnIt) {
+  for (const double drift : {0.08, -0.3, 1.0}) {
+    T_map_base_ = core::Transform(Eigen::Translation3d(0.0, 0.0, drift));
+    ASSERT_TRUE(seesByImage());
+    EXPECT_GE(cellAt(*by_image_.last, 2.02, 0.02), 50) << drift;
+    EXPECT_LT(cellAt(*by_image_.last, 1.0, 0.02), 50) << drift << ": floor";
+    EXPECT_GE(cellAt(*by_image_.last, 1.0, 0.02), 0) << drift;
+  }
 }
 
 TEST_F(VoxelMapStage, ATimeJumpBeginsAnew) {
@@ -162,6 +173,21 @@ TEST_F(VoxelMapStage, WithoutItsTransformACloudIsDroppedAndItIsSaid) {
       },
       [&] { now_ += 0.1, cloud_.send(wall(2.02)); }));
   ASSERT_TRUE(sees(2.02)) << "and the next with one is taken";
+}
+
+TEST_F(VoxelMapStage, ACameraThatIsLostForTenSecondsIsMissedAndItsMapKept) {
+  const auto misses = [this] {
+    const auto* status = diagnostics_.of("voxel_map");
+    return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
+           status->message.find("nothing new on points for") != std::string::npos;
+  };
+  ASSERT_TRUE(sees(2.02));
+  ASSERT_TRUE(spinUntil(misses));
+  now_ += 10.0;
+  ASSERT_TRUE(sees(1.02));
+  EXPECT_GE(cellAt(*map_.last, 1.02, 0.02), 50);
+  EXPECT_GE(cellAt(*map_.last, 2.02, 0.02), 50) << "what was known before";
+  EXPECT_TRUE(spinUntil([&] { return !misses(); }, [&] { next(), cloud_.send(wall(1.02)); }));
 }
 
 TEST_F(VoxelMapStage, IsSavedAsOctoMapReadsIt) {

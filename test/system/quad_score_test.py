@@ -34,12 +34,6 @@ def test_a_cell_of_a_wall_behind_does_not_show_what_stands_before():
     assert quad_score.found(numpy.array([[0.0, 0.05]]), bodies, RESOLUTION) == ["a"]
 
 
-def test_phantoms_are_far_from_every_body():
-    bodies = [body("a", 0.0, 0.0), body("b", 1.0, 0.0)]
-    points = numpy.array([[0.2, 0.0], [0.34, 0.0], [0.36, 0.0], [0.66, 0.0]])
-    assert quad_score.phantoms(points, bodies, 0.15) == 1  # 0.16 m from a, 0.44 m from b
-
-
 def test_cells_lie_in_the_world_by_their_middles():
     from nav_msgs.msg import OccupancyGrid
 

@@ -107,12 +107,22 @@ def test_a_worse_inertial_unit_is_calibrated_worse():
 
 
 def test_the_depth_camera_adds_what_lies_below_the_scanner(tmp_path):
-    figures, said = reproduced("--quick", "--out", tmp_path, name="quadruped")
+    figures, said = reproduced("--quick", "--parts", "obstacles", "--out", tmp_path, name="quadruped")
     assert figures["pmf/obstacles/lidar_found"][0] <= 4, "four lie below its beams or between them"
     assert figures["pmf/obstacles/pmf_found"] == (8.0, "-")
     assert figures["pmf/phantom_cells"][0] <= 0.01
-    assert re.search(r"^PMF +1 +8 +stool chair football blue_cone ", said, re.M)
-    assert (tmp_path / "quadruped_maps_1.png").stat().st_size > 1000
+    assert figures["pmf/contour_completeness"][0] >= 0.9 > figures["pmf/contour_completeness/lidar"][0]
+    assert re.search(r"^PMF +1 +8 .* stool chair football blue_cone ", said, re.M)
+    assert (tmp_path / "quad_obstacles_maps_1.png").stat().st_size > 1000
+
+
+def test_a_box_that_leaves_the_view_stays_and_one_that_is_taken_away_goes(tmp_path):
+    figures, _ = reproduced("--quick", "--parts", "view", "--out", tmp_path, name="quadruped")
+    assert figures["pmf/view/after/lidar"][0] < 0.1, "the scanner passes over it"
+    assert figures["pmf/view/before/pmf"][0] >= 0.9 and figures["pmf/view/after/pmf"][0] >= 0.9
+    value, unit = figures["pmf/view/fades/pmf"]
+    assert 0.0 < value < 10.0 and unit == "s"
+    assert (tmp_path / "quad_view_after_1.png").stat().st_size > 1000
 
 
 @pytest.fixture

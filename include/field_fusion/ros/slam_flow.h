@@ -46,6 +46,7 @@ class SlamFlow {
 
  private:
   void sendTransform(const core::Pose2& T_odom_base);
+  void noteFit();
 
   SlamStageParams params_;
   std::unique_ptr<core::GridSlam> slam_;
@@ -55,7 +56,8 @@ class SlamFlow {
   core::LocalMap local_;
   std_msgs::Header header_;
   ros::Time drawn_;  // stamp at which the map last went out
-  std::uint64_t blind_ = 0, taken_ = 0;
+  ros::Time misfit_;  // stamp of the last scan that did not fit
+  std::uint64_t blind_ = 0, taken_ = 0, misfits_ = 0;
 };
 
 }  // namespace field_fusion

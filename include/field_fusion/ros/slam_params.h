@@ -13,6 +13,7 @@ struct SlamStageParams {
   bool publish_tf = true;
   double tf_delay = 0.1;
   double map_update_interval = 1.0;
+  double misfit = 0.7;
   double local_way = 5.0, local_size = 10.0;
   std::string map_file;
   double start_x = 0.0, start_y = 0.0, start_yaw = 0.0, start_sigma = 0.5, start_sigma_yaw = 10.0;
@@ -27,6 +28,8 @@ struct SlamStageParams {
              "That transform is stamped so much after its scan, so that it holds until the next one.");
     p.number("map_update_interval", map_update_interval, {0.0, 3600.0}, "s", core::When::kLive,
              "Map and path go out when so much time has passed between scans; 0: with each that is taken in.");
+    p.number("misfit", misfit, {0.0, 1.0}, "", core::When::kLive,
+             "A scan of which a smaller share of beams fits the map is told of in /diagnostics: was the robot carried?");
     p.number("local_way", local_way, {0.0, 1000.0}, "m", core::When::kLive,
              "The local map is that of so much of the last way.");
     p.number("local_size", local_size, {0.1, 100.0}, "m", core::When::kLive, "Side of the local map.");

@@ -23,6 +23,8 @@ struct VoxelStageParams {
   int image_step = 2;
   bool thin = true;
   std::string map_frame = "map";
+  std::string base_frame;
+  double base_height = 0.0;
   double publish_interval = 0.1;
   double voxels_interval = 1.0;
   double projected_size = 10.0;
@@ -39,6 +41,11 @@ struct VoxelStageParams {
            "all do, for a fuller free space.");
     p.text("map_frame", map_frame, core::When::kStart,
            "Frame of the map, z up; its pose of the sensor comes from TF.");
+    p.text("base_frame", base_frame, core::When::kStart,
+           "Frame of a robot on flat ground, such as base, whose height in map_frame counts as base_height: that of "
+           "odometry drifts, and floor would be obstacles. Empty: heights are as TF says.");
+    p.number("base_height", base_height, {-10.0, 10.0}, "m", core::When::kLive,
+             "Of base_frame over the ground; 0: it lies on it.");
     p.number("publish_interval", publish_interval, {0.0, 60.0}, "s", core::When::kLive,
              "From one projected map to the next (stamps); 0: with each cloud.");
     p.number("voxels_interval", voxels_interval, {0.0, 60.0}, "s", core::When::kLive,
@@ -57,7 +64,8 @@ class VoxelFlow {
   /// std::runtime_error for the map.
   void setParams(const VoxelStageParams& params);
   bool ready(const std_msgs::Header& header, const TfCache& tf) const {
-    return tf.has(params_.map_frame, header);
+    return tf.has(params_.map_frame, header) &&
+           (params_.base_frame.empty() || tf.has(params_.map_frame, params_.base_frame, header.stamp));
   }
   void reset();
 
@@ -76,6 +84,7 @@ class VoxelFlow {
 
  private:
   bool isDue(ros::Time& sent, double interval);
+  core::Transform sensorIn(const std_msgs::Header& header, const TfCache& tf) const;
   void insert(const core::Cloud& cloud, const std_msgs::Header& header, const TfCache& tf);
 
   VoxelStageParams params_;

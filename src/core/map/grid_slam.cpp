@@ -120,13 +120,14 @@ void GridSlam::move(Particle& p, std::size_t index, const SlamScan& scan, ScanMa
     return;
   }
   const Match match = matcher.match(scan, p.map, prior);
-  double evidence = match.log_evidence;
+  double evidence = match.log_evidence, score = match.score;
   if (match.score >= params_.min_score) {
     p.pose = drawn(match.mean, match.covariance, random);
   } else {
     p.pose = drawn(prior.mean, prior.covariance, random);
-    evidence = matcher.logLikelihood(scan, p.map, p.pose);
+    evidence = matcher.logLikelihood(scan, p.map, p.pose, &score);
   }
+  p.fit = score / static_cast<double>(scan.hits.size());
   p.log_weight += evidence / params_.smoothing, p.log_total += evidence / params_.smoothing;
 }
 

@@ -123,6 +123,22 @@ TEST(GridSlam, AfterAGapBetweenScansALongWayIsTrue) {
   EXPECT_EQ(slam.odometryJumps(), 0u);
 }
 
+TEST(GridSlam, TellsWhetherAScanFits) {
+  GridSlam slam(few());
+  Walk walk;
+  EXPECT_EQ(slam.fit(), 1.0) << "nothing says otherwise yet";
+  for (int i = 0; i < 20; ++i, walk.step()) {
+    slam.process(test::roomScan(walk.truth), walk.odometry, walk.stamp_ns);
+    EXPECT_GT(slam.fit(), 0.95) << i;
+  }
+  walk.truth = Pose2{-2.5, 1.0, walk.truth.yaw + 2.0};  // carried there, which odometry does not see
+  slam.process(test::roomScan(walk.truth), walk.odometry, walk.stamp_ns);
+  EXPECT_LT(slam.fit(), 0.6) << "of two rooms' walls, some lie on one another";
+  EXPECT_GE(slam.fit(), 0.0);
+  slam.reset();
+  EXPECT_EQ(slam.fit(), 1.0);
+}
+
 TEST(GridSlam, StartsAnew) {
   GridSlam slam(few());
   slam.process(test::roomScan({}), {}, 1);

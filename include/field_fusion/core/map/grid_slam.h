@@ -25,6 +25,7 @@ class GridSlam {
     Pose2 pose;  ///< T_map_base
     double log_weight = 0.0;  ///< since the last resampling
     double log_total = 0.0;   ///< since the start, for the best path
+    double fit = 1.0;         ///< share of the last scan's beams that end where its map has a wall, or has not looked yet
     TileMap map;
     PathNode::Pointer path;
   };
@@ -47,6 +48,8 @@ class GridSlam {
   /// T_map_base at the last scan, also of one that was skipped.
   Pose2 pose() const { return best().pose * since_.step; }
   double effective() const { return effective_; }
+  /// 0..1, of the last scan that was not blind: low where the robot is not where the best particle takes it to be.
+  double fit() const { return best().fit; }
   std::uint64_t odometryJumps() const { return jumps_; }
   const GridSlamParams& params() const { return params_; }
 
