@@ -13,8 +13,10 @@ import poses
 OCCUPIED = 50  # percent
 REACH = 0.4  # m, how far from where an end should be a face is looked for, at most half of the length
 HALF_STRIP = 0.15  # m, of a face on either side of the dimension
+ALIKE = 1.5  # times as many free places on one side of a face as on the other: then it is seen from there
 FEWEST = 3  # rows of a face, cells of a round body
 OFF = 1.5  # cells by which a row may leave its line
+STEEP = 0.4  # of a face against its dimension (22 degrees)
 GAP = 2.5  # cells from one of a face to the next
 NEAR = 3  # cells from the last of a face within which the face round the corner is
 
@@ -37,7 +39,8 @@ class Map:
 
 
 def between_faces(drawn, begin, end):
-    """[m] from one face to the other, each across the way from `begin` to `end` (points of the world); NaN where one is not there."""
+    """[m] from one face to the other, each across the way from `begin` to `end` (points of the world): of a room or a gap its inner
+    faces, of a body its outer ones. NaN where one is not there."""
     return _along(drawn, begin, end, lambda view, at: view.face_across(at))
 
 
@@ -81,37 +84,47 @@ class _View:
         self.reach = min(REACH, self.length / 2)
 
     def face_across(self, at):
-        """x where the face near `at` crosses the dimension."""
-        occupied, free = (_window(points, at, self.reach, -HALF_STRIP, HALF_STRIP) for points in (self.occupied, self.free))
-        fitted = line(_first(occupied, _from(free[:, 0], at), self.side), self.side)
+        """x where the face near `at`, 0 or the length, crosses the dimension."""
+        way = (1 if at > 0.0 else -1) * (1 if self.is_gap() else -1)
+        fitted = line(_first(_window(self.occupied, at, self.reach, -HALF_STRIP, HALF_STRIP), way, self.side), self.side, way)
         return math.nan if fitted is None else fitted[0]
 
-    def face_along(self):
+    def is_gap(self):
+        """Whether most of what lies between the ends is free, and faces are seen from there; else they are those of a body."""
         half = self.length / 2
+        free = len(_window(self.free, half, half, -HALF_STRIP, HALF_STRIP))
+        return free > self.length * HALF_STRIP / self.side ** 2
+
+    def face_along(self):
+        """Seen from the side on which more is free; of sides that are alike, from that from which more of the face lies in a line."""
+        half, best = self.length / 2, None
         occupied, free = (_window(points, half, half + self.reach, -self.reach, self.reach)[:, ::-1] for points in (self.occupied, self.free))
-        inwards = _from(free[numpy.abs(free[:, 1] - half) < half, 0], 0.0)
-        face = _first(occupied, inwards, self.side)
-        fitted = line(face[numpy.abs(face[:, 1] - half) < 0.8 * half], self.side)
-        if fitted is None:
-            return None
-        on = numpy.abs(face[:, 0] - fitted[0] - fitted[1] * face[:, 1]) <= OFF * self.side
-        return Face(*fitted, face[on, 1], inwards)
+        for inwards in _ways(free[numpy.abs(free[:, 1] - half) < half, 0], 0.0):
+            rows = _first(occupied, inwards, self.side)
+            fitted = line(rows[numpy.abs(rows[:, 1] - half) < 0.8 * half], self.side, inwards)
+            if fitted is None:
+                continue
+            places = rows[numpy.abs(rows[:, 0] - fitted[0] - fitted[1] * rows[:, 1]) <= OFF * self.side, 1]
+            if best is None or len(places) > len(best.places):
+                best = Face(*fitted, places, inwards)
+        return best
 
     def corner(self, face, way):
         """x of an end of the face: of the dimension's end (`way` 1) or begin (-1)."""
         last = way * _end_of_run(way * face.places, way * self.length / 2, GAP * self.side)
         depth = face.inwards * (self.occupied[:, 1] - face.y(self.occupied[:, 0]))
         beside = (depth > self.side) & (depth < self.side + 2 * HALF_STRIP) & (numpy.abs(self.occupied[:, 0] - last) < NEAR * self.side)
-        fitted = line(_first(self.occupied[beside], -way, self.side), self.side)
+        fitted = line(_first(self.occupied[beside], -way, self.side), self.side, -way)
         return last if fitted is None else fitted[0] + fitted[1] * face.y(last)
 
     def middle(self, at):
         return circle(_window(self.occupied, at, self.reach, -self.reach, self.reach))[0]
 
 
-def _from(free, at):
-    """Which way one comes from the free side: 1, from below `at`; -1, from above."""
-    return 1 if numpy.sum(free < at) >= numpy.sum(free > at) else -1
+def _ways(free, at):
+    """From which side of `at` one comes to a face: 1, from below; -1, from above; that of more free places, both where they are alike."""
+    below, above = numpy.sum(free < at), numpy.sum(free > at)
+    return [1] if below > ALIKE * above else [-1] if above > ALIKE * below else [1, -1]
 
 
 def _first(cells, way, side):
@@ -139,8 +152,11 @@ def _end_of_run(places, start, gap):
     return end
 
 
-def line(points, cell):
-    """(a, b) of x = a + b y; what is off the median line by more than `OFF` cells does not count. None of too few points."""
+def line(points, cell, way=1):
+    """(a, b) of x = a + b y, a face that one comes to along x (`way` 1) or against it (-1). None of too few points.
+
+    Least squares of what is near the median line (Theil and Sen). Where that is too steep for a face or most are off it, little of
+    the face is in the map, and the rest is what was seen past it: then it is where `FEWEST` rows have been met."""
     if len(points) < FEWEST:
         return None
     x, y = points.T
@@ -148,9 +164,12 @@ def line(points, cell):
     apart = numpy.abs(y[j] - y[i]) > 1e-9
     if not apart.any():
         return None
-    slope = numpy.median((x[j] - x[i])[apart] / (y[j] - y[i])[apart])  # Theil and Sen
+    slope = numpy.median((x[j] - x[i])[apart] / (y[j] - y[i])[apart])
     offset = numpy.median(x - slope * y)
     near = numpy.abs(x - offset - slope * y) <= OFF * cell
+    if abs(slope) > STEEP or 2 * numpy.sum(near) < len(points):
+        met = numpy.sort(way * x)[FEWEST - 1]
+        return way * float(numpy.mean(way * x[numpy.abs(way * x - met) <= OFF * cell])), 0.0
     if numpy.ptp(y[near]) < 1e-9:
         return offset, slope
     slope, offset = numpy.polyfit(y[near], x[near], 1)

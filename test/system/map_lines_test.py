@@ -59,7 +59,7 @@ def test_between_faces_is_exact_to_a_cell(yaw):
 
 
 def test_a_slanting_face_is_met_where_the_dimension_meets_it():
-    at = drawn(numpy.r_[wall(-0.4), wall(0.45, slope=0.5)])
+    at = drawn(numpy.r_[wall(-0.4), wall(0.45, slope=0.3)])
     assert map_lines.between_faces(at, BEGIN, END) == pytest.approx(0.85, abs=SIDE)
 
 
@@ -76,6 +76,14 @@ def test_single_cells_before_a_face_do_not_move_it():
     stray = numpy.array([[0.3, 0.0], [0.25, 0.1], [-0.28, -0.06]])
     clean, noisy = drawn(numpy.r_[wall(-0.4), wall(0.4)]), drawn(numpy.r_[wall(-0.4), wall(0.4), stray])
     assert map_lines.between_faces(noisy, BEGIN, END) == pytest.approx(map_lines.between_faces(clean, BEGIN, END), abs=1e-9)
+
+
+def test_of_a_face_that_is_hardly_seen_the_front_counts():
+    """A body to the right of which two rows of its near end are seen, and beyond them single cells of what lies behind."""
+    end = segment((0.4, -0.12), (0.4, -0.05))
+    behind = numpy.array([[0.52 + 0.9 * y, y] for y in numpy.arange(-0.02, 0.12, 0.03)])
+    at = drawn(numpy.r_[wall(-0.4), end, behind])
+    assert map_lines.between_faces(at, BEGIN, END) == pytest.approx(0.8, abs=SIDE)
 
 
 def test_a_face_that_is_not_in_the_map_has_no_length():
@@ -96,6 +104,13 @@ def test_a_face_that_is_longer_or_shorter_than_said_is_measured_as_it_is():
     for half in (0.25, 0.55):
         at = drawn(segment((-half, 0.0), (half, 0.0)), seen=lambda x, y: y < 0.0)
         assert map_lines.along_face(at, BEGIN, END) == pytest.approx(2 * half, abs=1.01 * SIDE)  # ends lie on edges of cells
+
+
+def test_a_face_is_found_where_beams_have_passed_through_the_body():
+    """A box all of which is seen free, with single cells within, as raw scans draw it."""
+    within = numpy.array([[-0.2, 0.05], [-0.15, 0.05], [0.05, 0.08], [0.3, 0.1]])
+    at = drawn(numpy.concatenate([FRONT, within]))
+    assert map_lines.along_face(at, BEGIN, END) == pytest.approx(0.8, abs=SIDE)
 
 
 def test_which_way_round_a_dimension_is_told_does_not_matter():
