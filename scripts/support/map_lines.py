@@ -1,12 +1,13 @@
 """Lengths on an occupancy grid as a person measures them: lines through the faces of bodies, their corners, round bodies.
 
 A face is where a row of cells, come from the side that is seen free, is first occupied: its beams end there, and behind lies
-what was seen from afar. Where a dimension runs along a face, its end is the corner with the face round it, or where that was
+what was seen from afar. Specks are not looked at. Where a dimension runs along a face, its end is the corner with the face round it, or where that was
 never seen, the last cell of the face."""
 import math
 import typing
 
 import numpy
+from scipy import ndimage
 
 import poses
 
@@ -14,7 +15,8 @@ OCCUPIED = 50  # percent
 REACH = 0.4  # m, how far from where an end should be a face is looked for, at most half of the length
 HALF_STRIP = 0.15  # m, of a face on either side of the dimension
 ALIKE = 1.5  # times as many free places on one side of a face as on the other: then it is seen from there
-FEWEST = 3  # rows of a face, cells of a round body
+SPECK = 4  # cells that touch: fewer are no part of a body
+FEWEST = 3  # rows that make a line, cells of a round body
 OFF = 1.5  # cells by which a row may leave its line
 STEEP = 0.4  # of a face against its dimension (22 degrees)
 GAP = 2.5  # cells from one of a face to the next
@@ -29,13 +31,19 @@ class Map:
         self.cells = numpy.array(grid.data, numpy.int16).reshape(info.height, info.width)
         self.side, self.T_world_map = info.resolution, T_world_map
         self.low = numpy.array([info.origin.position.x, info.origin.position.y])
-        self.occupied = self._middles(self.cells >= OCCUPIED)
+        self.occupied = self._middles(without_specks(self.cells >= OCCUPIED))
         self.free = self._middles((self.cells >= 0) & (self.cells < OCCUPIED))
 
     def _middles(self, which):
         rows, columns = numpy.nonzero(which)
         at = self.low + self.side * (numpy.c_[columns, rows] + 0.5)
         return poses.apply(self.T_world_map, numpy.c_[at, numpy.zeros(len(at))])[:, :2]
+
+
+def without_specks(cells):
+    """The same without groups of fewer than SPECK that touch, at sides or corners."""
+    groups, count = ndimage.label(cells, numpy.ones((3, 3)))
+    return numpy.isin(groups, 1 + numpy.flatnonzero(ndimage.sum_labels(cells, groups, range(1, count + 1)) >= SPECK)) if count else cells
 
 
 def between_faces(drawn, begin, end):
@@ -101,9 +109,10 @@ class _View:
         occupied, free = (_window(points, half, half + self.reach, -self.reach, self.reach)[:, ::-1] for points in (self.occupied, self.free))
         for inwards in _ways(free[numpy.abs(free[:, 1] - half) < half, 0], 0.0):
             rows = _first(occupied, inwards, self.side)
-            fitted = line(rows[numpy.abs(rows[:, 1] - half) < 0.8 * half], self.side, inwards)
-            if fitted is None:
+            inner = rows[numpy.abs(rows[:, 1] - half) < 0.8 * half]
+            if len(inner) < FEWEST:
                 continue
+            fitted = line(inner, self.side, inwards)
             places = rows[numpy.abs(rows[:, 0] - fitted[0] - fitted[1] * rows[:, 1]) <= OFF * self.side, 1]
             if best is None or len(places) > len(best.places):
                 best = Face(*fitted, places, inwards)
@@ -114,8 +123,11 @@ class _View:
         last = way * _end_of_run(way * face.places, way * self.length / 2, GAP * self.side)
         depth = face.inwards * (self.occupied[:, 1] - face.y(self.occupied[:, 0]))
         beside = (depth > self.side) & (depth < self.side + 2 * HALF_STRIP) & (numpy.abs(self.occupied[:, 0] - last) < NEAR * self.side)
-        fitted = line(_first(self.occupied[beside], -way, self.side), self.side, -way)
-        return last if fitted is None else fitted[0] + fitted[1] * face.y(last)
+        rows = _first(self.occupied[beside], -way, self.side)
+        if len(rows) < FEWEST:
+            return last
+        offset, slope = line(rows, self.side, -way)
+        return offset + slope * face.y(last)
 
     def middle(self, at):
         return circle(_window(self.occupied, at, self.reach, -self.reach, self.reach))[0]
@@ -152,28 +164,30 @@ def _end_of_run(places, start, gap):
     return end
 
 
-def line(points, cell, way=1):
-    """(a, b) of x = a + b y, a face that one comes to along x (`way` 1) or against it (-1). None of too few points.
+def line(points, cell, way):
+    """(a, b) of x = a + b y, a face that one comes to along x (`way` 1) or against it (-1). None of no points.
 
-    Least squares of what is near the median line (Theil and Sen). Where that is too steep for a face or most are off it, little of
-    the face is in the map, and the rest is what was seen past it: then it is where `FEWEST` rows have been met."""
-    if len(points) < FEWEST:
+    Least squares of what is near the median line (Theil and Sen). Where that is too steep for a face, most are off it, or there are
+    too few for it, little of the face is in the map, and the rest is what was seen past it: then it is where the first row is met."""
+    if not len(points):
         return None
     x, y = points.T
-    i, j = numpy.triu_indices(len(points), 1)
+    fitted = _median_line(x, y) if len(points) >= FEWEST else None
+    if fitted is not None:
+        near = numpy.abs(x - fitted[0] - fitted[1] * y) <= OFF * cell
+        if abs(fitted[1]) <= STEEP and 2 * numpy.sum(near) >= len(points):
+            return fitted if numpy.ptp(y[near]) < 1e-9 else tuple(numpy.polyfit(y[near], x[near], 1)[::-1])
+    first = numpy.min(way * x)
+    return way * float(numpy.mean(way * x[way * x - first <= OFF * cell])), 0.0
+
+
+def _median_line(x, y):
+    i, j = numpy.triu_indices(len(x), 1)
     apart = numpy.abs(y[j] - y[i]) > 1e-9
     if not apart.any():
         return None
     slope = numpy.median((x[j] - x[i])[apart] / (y[j] - y[i])[apart])
-    offset = numpy.median(x - slope * y)
-    near = numpy.abs(x - offset - slope * y) <= OFF * cell
-    if abs(slope) > STEEP or 2 * numpy.sum(near) < len(points):
-        met = numpy.sort(way * x)[FEWEST - 1]
-        return way * float(numpy.mean(way * x[numpy.abs(way * x - met) <= OFF * cell])), 0.0
-    if numpy.ptp(y[near]) < 1e-9:
-        return offset, slope
-    slope, offset = numpy.polyfit(y[near], x[near], 1)
-    return offset, slope
+    return numpy.median(x - slope * y), slope
 
 
 def circle(points, rounds=20):

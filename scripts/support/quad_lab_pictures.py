@@ -14,12 +14,12 @@ def maps(drawn, dimensions, rows, file):
     """`drawn` {raw or mdr: map_lines.Map}. Black: occupied, grey: seen free; blue: the dimensions as they truly are."""
     figure, axes = pyplot.subplots(1, 3, figsize=(19, 5.6), width_ratios=(3, 3, 2.2))
     for axis, (kind, one) in zip(axes, drawn.items()):
-        axis.plot(*one.free.T, ",", color="0.85")
+        axis.plot(*one.free.T, "s", color="0.85", markersize=1.2, markeredgewidth=0)
         axis.plot(*one.occupied.T, "ks", markersize=1.0, markeredgewidth=0)
         for number, dimension in enumerate(dimensions, 1):
             ends = numpy.array([dimension["from"][:2], dimension["to"][:2]])
             axis.plot(*ends.T, "o-", color="tab:blue", linewidth=1, markersize=2)
-            axis.annotate(str(number), ends.mean(axis=0), color="tab:blue", fontsize=9, xytext=(2, 2), textcoords="offset points")
+            axis.annotate(str(number), 0.7 * ends[0] + 0.3 * ends[1], color="tab:blue", fontsize=9, xytext=(2, 2), textcoords="offset points")
         axis.set(xlim=X, ylim=Y, aspect="equal", xlabel="x [m]", ylabel="y [m]", title=NAMES[kind])
     _errors(axes[2], dimensions, rows)
     figure.tight_layout()

@@ -79,18 +79,27 @@ def test_single_cells_before_a_face_do_not_move_it():
 
 
 def test_of_a_face_that_is_hardly_seen_the_front_counts():
-    """A body to the right of which two rows of its near end are seen, and beyond them single cells of what lies behind."""
-    end = segment((0.4, -0.12), (0.4, -0.05))
-    behind = numpy.array([[0.52 + 0.9 * y, y] for y in numpy.arange(-0.02, 0.12, 0.03)])
-    at = drawn(numpy.r_[wall(-0.4), end, behind])
+    """The end of a body's front, one cell thick, is all that is seen of its near end, and past it stray rows of what lies behind."""
+    front = segment((0.4, -0.06), (1.0, -0.06))
+    behind = numpy.concatenate([segment((0.5 + 0.9 * y, y), (0.6 + 0.9 * y, y)) for y in numpy.arange(0.01, 0.12, 0.05)])
+    at = drawn(numpy.concatenate([wall(-0.4), front, behind]))
     assert map_lines.between_faces(at, BEGIN, END) == pytest.approx(0.8, abs=SIDE)
+
+
+def test_specks_are_fewer_than_four_cells_that_touch():
+    cells = numpy.zeros((8, 12), bool)
+    cells[1, 1:4] = cells[[4, 5, 6, 5], [6, 7, 8, 9]] = True
+    kept = cells.copy()
+    kept[1, 1:4] = False
+    assert (map_lines.without_specks(cells) == kept).all()
+    assert not map_lines.without_specks(numpy.zeros((3, 3), bool)).any()
 
 
 def test_a_face_that_is_not_in_the_map_has_no_length():
     assert math.isnan(map_lines.between_faces(drawn(wall(0.4)), BEGIN, END))
     assert math.isnan(map_lines.between_faces(drawn(numpy.zeros((0, 2))), BEGIN, END))
     assert math.isnan(map_lines.along_face(drawn(wall(0.4, 0.3, 0.4)), BEGIN, END))
-    assert math.isnan(map_lines.between_middles(drawn(numpy.array([[0.4, 0.0]])), BEGIN, END))
+    assert math.isnan(map_lines.between_middles(drawn(numpy.array([[0.4, 0.0]])), BEGIN, END)), "a speck"
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.02, 0.4])
@@ -148,6 +157,14 @@ def test_a_line_leaves_out_what_is_off_it():
     y = numpy.arange(12) * SIDE
     x = 0.3 + 0.2 * y
     x[[3, 8]] += (0.2, -0.3)
-    assert map_lines.line(numpy.c_[x, y], SIDE) == pytest.approx((0.3, 0.2), abs=1e-9)
-    assert map_lines.line(numpy.zeros((2, 2)), SIDE) is None
-    assert map_lines.line(numpy.c_[[0.1, 0.2, 0.3], [0.0, 0.0, 0.0]], SIDE) is None, "no line across: all in one row"
+    assert map_lines.line(numpy.c_[x, y], SIDE, 1) == pytest.approx((0.3, 0.2), abs=1e-9)
+    assert map_lines.line(numpy.zeros((0, 2)), SIDE, 1) is None
+
+
+def test_where_there_is_no_line_a_face_is_where_it_is_first_met():
+    few = numpy.c_[[0.32, 0.3], [0.0, SIDE]]
+    assert map_lines.line(few, SIDE, 1) == pytest.approx((0.31, 0.0)) and map_lines.line(few, SIDE, -1) == pytest.approx((0.31, 0.0))
+    in_one_row = numpy.c_[[0.1, 0.2, 0.3], [0.0, 0.0, 0.0]]
+    assert map_lines.line(in_one_row, SIDE, 1) == (pytest.approx(0.1), 0.0) and map_lines.line(in_one_row, SIDE, -1) == (pytest.approx(0.3), 0.0)
+    steep = numpy.c_[0.1 + 2.0 * numpy.arange(5) * SIDE, numpy.arange(5) * SIDE]
+    assert map_lines.line(steep, SIDE, 1) == (pytest.approx(0.1), 0.0)

@@ -21,7 +21,8 @@ def test_there_are_ten_and_each_is_as_long_as_its_ends_are_apart():
 def test_the_root_of_the_mean_square():
     rows = [Row(1, "raw", False, "a", 1.0, 1.03), Row(1, "raw", False, "b", 2.0, 1.96)]
     assert quad_dimensions.rmse(rows) == pytest.approx(math.sqrt((0.03 ** 2 + 0.04 ** 2) / 2))
-    assert math.isnan(quad_dimensions.rmse([*rows, Row(1, "raw", False, "c", 1.0, math.nan)])), "what was not found must not flatter"
+    lost = Row(1, "raw", False, "c", 1.0, math.nan)
+    assert quad_dimensions.rmse([*rows, lost]) == pytest.approx(quad_dimensions.rmse(rows)) and quad_dimensions.found([*rows, lost]) == rows
     assert math.isnan(quad_dimensions.rmse([]))
 
 
@@ -32,9 +33,17 @@ def rows():
 
 
 def test_figures_are_in_millimetres_over_all_seeds():
-    told = dict(re.match(r"figure (\S+) (\S+ mm n=\d+) ", line).groups() for line in quad_dimensions.lines(rows()))
+    matches = (re.match(r"figure (\S+) (\S+ mm n=\d+) ", line) for line in quad_dimensions.lines(rows()))
+    told = dict(match.groups() for match in matches if match)
     assert told == {"pmf/dimensions/raw_rmse": "100 mm n=4", "pmf/dimensions/mdr_rmse": "20 mm n=4",
                     "pmf/dimensions/raw_rmse_with_scale": "200 mm n=4", "pmf/dimensions/mdr_rmse_with_scale": "20 mm n=4"}
+
+
+def test_what_was_not_found_is_told_beside():
+    lost = [row._replace(measured=math.nan) if (row.kind, row.scaled, row.seed, row.name) == ("raw", False, 1, "a") else row for row in rows()]
+    told = "\n".join(quad_dimensions.lines(lost))
+    assert re.search(r"^figure pmf/dimensions/raw_found 0\.75 - n=4 ", told, re.M) and "raw_rmse 100 mm n=3 " in told
+    assert re.search(r"^figure pmf/dimensions/mdr_found 1 - n=4 ", told, re.M)
 
 
 def test_the_papers_stands_beside_ours():
