@@ -12,6 +12,7 @@ import figures
 import quad_stages
 import rospy
 import sim_world
+import slam_stage
 import stage_run
 from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import OccupancyGrid
@@ -25,6 +26,7 @@ ADVERTISED = 5.0  # s between the topics of the recording and its messages
 LAST = 3.0  # s of wall time for what is under way at the end, and for its diagnostics
 MAPS = {"fused": "/fused_map", "projected": "/projected_map"}
 HEARD = {"/scan_merged": LaserScan, "/depth_scan": LaserScan, "/fused_local_map": OccupancyGrid}  # so that every stage works
+MANAGER = "/manager"
 STAGES = ("deskew_scan", "depth_scan", "scan_merge", "grid_slam", "voxel_map", "map_fusion")
 LOST = ("dropped", "missing", "skipped")  # of an input, in /diagnostics
 COLUMNS = ("seed", "map", "maps", "p50 [ms]", "p99 [ms]", "max [ms]")
@@ -36,6 +38,7 @@ class Row(typing.NamedTuple):
     images: int  # that came
     lost: dict  # {"stage input: how": count}, of all messages
     pace: float  # s of wall time for each of the recording
+    cores: float  # that the manager took
     load: float  # of the machine, mean of one minute
 
 
@@ -93,24 +96,28 @@ def _played(experiment, seed, bag):
         session.require(lambda: ear.diagnosed(STAGES, 0.0), stage_run.PATIENCE, "the stages did not start", launch)
         player = session.start("rosbag", "play", "--quiet", "--delay", str(ADVERTISED), str(bag), "--topics", "/tf_static",
                                *quad_stages.KINDS)
+        session.require(lambda: ear.of(quad_stages.INFO), stage_run.PATIENCE, "the recording did not begin", launch, player)
+        usage, began = slam_stage.Usage(session, MANAGER), time.monotonic()
+        before = usage.cpu()
         session.require(lambda: player.poll() is not None, stage_run.PATIENCE + 2 * SECONDS, "the recording did not end", launch)
-        ended = time.monotonic()
+        ended, cpu = time.monotonic(), usage.cpu() - before
         RosSession.wait(lambda: ear.diagnosed(STAGES, ended + LAST / 2), LAST + 5.0)
-        return _row(seed, ear)
+        return _row(seed, ear, cpu / (ended - began))
     finally:
         ear.close()
         session.end(launch)
 
 
-def _row(seed, ear):
+def _row(seed, ear, cores):
     images = ear.of(quad_stages.INFO)
     if len(images) < 2:
-        return Row(seed, {name: [] for name in MAPS}, len(images), {}, float("nan"), os.getloadavg()[0])
+        return Row(seed, {name: [] for name in MAPS}, len(images), {}, float("nan"), cores, os.getloadavg()[0])
     began, ended = min(images), max(images)
     counted = {stamp: at for stamp, at in images.items() if (stamp - began).to_sec() >= SETTLED}
     maps = {name: ear.of(topic) for name, topic in MAPS.items()}
     return Row(seed, {name: latencies(counted, came) for name, came in maps.items()}, len(counted),
-               lost(ear.told, images[began] + SETTLED), (images[ended] - images[began]) / (ended - began).to_sec(), os.getloadavg()[0])
+               lost(ear.told, images[began] + SETTLED), (images[ended] - images[began]) / (ended - began).to_sec(), cores,
+               os.getloadavg()[0])
 
 
 def latencies(images, maps):
@@ -137,17 +144,18 @@ def _p(row, name, share):
 
 def table(rows):
     yield f"latency from a depth image to a map, {os.cpu_count()} cores"
-    yield "seed  map         maps     p50     p99     max   pace   load   lost"
+    yield "seed  map         maps     p50     p99     max   pace  cores   load   lost"
     for row in rows:
         for name in MAPS:
             told = "; ".join(f"{what} {count}" for what, count in row.lost.items()) or "none"
             yield (f"{row.seed:4}  {name:10} {len(row.latencies[name]):5}  {_p(row, name, 50):6.1f}  {_p(row, name, 99):6.1f}  "
-                   f"{_p(row, name, 100):6.1f}  {row.pace:5.3f}  {row.load:5.1f}   {told}")
+                   f"{_p(row, name, 100):6.1f}  {row.pace:5.3f}  {row.cores:5.2f}  {row.load:5.1f}   {told}")
     yield ""
 
 
 def lines(rows):
     """The headline last: to the fused map."""
+    yield figures.mean("quadruped/latency/cores", [row.cores for row in rows], "cores")
     yield figures.mean("quadruped/latency/lost", [float(sum(row.lost.values())) for row in rows], "messages")
     for name, figure in (("projected", "depth_to_projected_p99"), ("fused", "depth_to_map_p99")):
         yield percentile_line(f"quadruped/latency/{figure}", [1e3 * value for row in rows for value in row.latencies[name]], 99, "ms")
