@@ -134,6 +134,17 @@ def test_dimensions_of_the_laboratory_are_right_to_a_cell_on_deskewed_scans_alon
     assert (tmp_path / "quadruped_lab_1.png").stat().st_size > 1000
 
 
+def test_fused_maps_have_the_contours_that_the_scanner_passes_over(tmp_path):
+    figures, said = reproduced("--quick", "--parts", "stack", "--out", tmp_path, name="quadruped")
+    share = {form: figures[f"pmf/contour/stack/{form}_completeness"][0] for form in ("lidar", "pf", "pmf")}
+    assert share["pmf"] > 0.8 and max(share["lidar"], share["pf"]) < share["pmf"] / 2
+    assert figures["pmf/contour/alone/voxel_completeness"][0] > figures["pmf/contour/alone/scan_completeness"][0]
+    assert re.search(r"^football +not there +[1-9]", said, re.M), "it lies below the scanner"
+    assert re.search(r"^low_box +not there +not there +[1-9]", said, re.M)
+    for name in ("alone", "stack"):
+        assert (tmp_path / f"quadruped_{name}_1.png").stat().st_size > 1000
+
+
 def test_latencies_of_the_quadrupeds_maps_are_told():
     figures, said = reproduced("--quick", "--parts", "latency", name="quadruped")
     assert 0.0 < figures["quadruped/latency/depth_to_projected_p99"][0] <= figures["quadruped/latency/depth_to_map_p99"][0] + 1e-9
