@@ -11,6 +11,8 @@ struct OfficeLog {
   std::vector<LogScan> scans;
   std::vector<core::Scan> raw;     ///< of `scans`
   std::vector<core::Pose2> truth;  ///< T_world_base of each scan
+  core::Pose2 T_base_scanner;      ///< where it truly is
+  core::Pose2 T_base_nominal;      ///< where its users take it to be
   double way = 0.0;                ///< [m]
 };
 
@@ -51,6 +53,7 @@ inline OfficeLog officeLog(std::uint64_t seed, const OfficeScanner& seen_with, c
     if (m.name == "scan") T_base_sensor = m.T_base_sensor;
   T_nominal.translation() << 0.2, 0.0, 0.3;  // as the world's file says; the true mount is not known
   OfficeLog out;
+  out.T_base_scanner = core::flat(T_base_sensor), out.T_base_nominal = core::flat(T_nominal);
   OdometrySample odometry = wheels.next();
   for (int k = 0; 0.1 * k < way.duration(); ++k) {
     const double time = 0.1 * k;

@@ -66,9 +66,19 @@ def static_transforms(bag_file):
 
 
 def true_transform(bag_file, target, source):
-    """T_target_source by where the mounts truly are: all frames hang on the base by a chain."""
+    """T_target_source by where the mounts truly are."""
+    return _transform(bag_file, "/truth/tf_static", target, source)
+
+
+def nominal_transform(bag_file, target, source):
+    """T_target_source by where the mounts are said to be."""
+    return _transform(bag_file, "/tf_static", target, source)
+
+
+def _transform(bag_file, topic, target, source):
+    """All frames hang on the base by a chain."""
     with rosbag.Bag(str(bag_file)) as bag:
-        transforms = [t for _, message, _ in bag.read_messages(topics=["/truth/tf_static"]) for t in message.transforms]
+        transforms = [t for _, message, _ in bag.read_messages(topics=[topic]) for t in message.transforms]
     parents = {t.child_frame_id: (t.header.frame_id, poses.matrix(t.transform.translation, t.transform.rotation))
                for t in transforms}
 

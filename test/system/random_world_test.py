@@ -47,6 +47,19 @@ def test_held_out_worlds_have_shapes_skies_and_patterns_of_their_own():
     assert not skies[0] & skies[1]
 
 
+def models_of_cages(split):
+    """Worlds with a cage that one could carry, on land."""
+    worlds = [random_world.random_world(split, seed) for seed in range(150)]
+    small = lambda body: body.get("label") == "cage" and body.get("parts", [body])[0]["params"]["diameter"] <= 1.5
+    return sum(any(map(small, world["bodies"])) for world in worlds if world["ground"]["kind"] != "water")
+
+
+def test_worlds_to_learn_from_have_test_sites_ashore_and_those_held_out_have_none():
+    # two of five worlds of the half that is on land, less those that are empty or have no room: 20 at least of 150
+    assert models_of_cages("train") > 20
+    assert models_of_cages("held_out") == 0
+
+
 @pytest.mark.parametrize("split", ["train", "held_out"])
 def test_worlds_can_be_loaded(split, tmp_path):
     for seed in range(12):

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 
+#include "field_fusion/core/map/wall_line.h"
+
 namespace field_fusion::core {
 namespace {
 
 constexpr int kReach = NearestField::kReach, kMargin = NearestField::kMargin;
 constexpr int kSide = kTileSide + 2 * kMargin;  // of the tile with what surrounds it
+static_assert(kMargin >= kReach + HitsAround::kReach);
 static_assert(kSide <= 64, "a row of it is the bits of one word");
 
 /// What is occupied in and around the tile.
@@ -16,10 +19,13 @@ struct Surroundings {
   const Neighbourhood& tiles;
   std::array<std::uint64_t, kSide> rows{};  // bit x: occupied
 
-  /// [cells] mean of the hits of an occupied cell, from the corner of the surroundings.
-  Eigen::Vector2f mean(int x, int y) const {
+  Cell cell(int x, int y) const {
     const int u = x + kTileSide - kMargin, v = y + kTileSide - kMargin;  // from the corner of the first tile
-    const Cell cell = tiles[v / kTileSide * 3 + u / kTileSide]->at(u, v);
+    const Tile* tile = tiles[v / kTileSide * 3 + u / kTileSide];
+    return tile ? tile->at(u, v) : Cell();
+  }
+  /// [cells] of its hits, from the corner of the surroundings.
+  static Eigen::Vector2f mean(const Cell& cell, int x, int y) {
     return {x + 0.5f + cell.x / (2.f * Cell::kHalf), y + 0.5f + cell.y / (2.f * Cell::kHalf)};
   }
 };
@@ -32,26 +38,25 @@ void addTile(Surroundings& out, const Tile& tile, int left, int bottom) {
   }
 }
 
-/// Direction of the wall through an occupied cell: the smaller principal axis of the hits around it.
-void addNormal(const Surroundings& s, int x, int y, Wall& out) {
-  float n = 0.f, sx = 0.f, sy = 0.f, sxx = 0.f, sxy = 0.f, syy = 0.f;
-  for (int v = -2; v <= 2; ++v) {
-    std::uint64_t bits = s.rows[y + v] >> (x - 2) & 0x1f;
-    for (; bits != 0; bits &= bits - 1) {
-      const int u = __builtin_ctzll(bits) - 2;
-      const Eigen::Vector2f mean = s.mean(x + u, y + v);
-      const float px = mean.x() - static_cast<float>(x), py = mean.y() - static_cast<float>(y);
-      n += 1.f, sx += px, sy += py, sxx += px * px, sxy += px * py, syy += py * py;
+/// The wall through an occupied cell. All that was ever hit says where it is, occupied or not: of a wall between two rows of
+/// cells, beams cross the nearer, so that only the farther may count as occupied, and that has the long ranges alone.
+Wall wallThrough(const Surroundings& s, int x, int y) {
+  constexpr int kAround = HitsAround::kReach;
+  const Eigen::Vector2f own = s.mean(s.cell(x, y), x, y);
+  HitsAround around;
+  for (int v = -kAround; v <= kAround; ++v)
+    for (int u = -kAround; u <= kAround; ++u) {
+      const Cell cell = s.cell(x + u, y + v);
+      if (cell.hits == 0) continue;
+      const Eigen::Vector2f off = s.mean(cell, x + u, y + v) - own;
+      around.add(off.x(), off.y(), cell.hits);
     }
+  Wall out{own.x() - kMargin, own.y() - kMargin};
+  if (const auto line = wallLine(around)) {
+    out.nx = line->nx, out.ny = line->ny;
+    out.x += line->off * line->nx, out.y += line->off * line->ny;
   }
-  if (n < 3.f) return;
-  const float a = (sxx - sx * sx / n) - (syy - sy * sy / n), b = 2.f * (sxy - sx * sy / n);
-  const float sum = (sxx - sx * sx / n) + (syy - sy * sy / n), spread = std::sqrt(a * a + b * b);
-  if (spread < 0.8f * sum || sum < 0.6f * n) return;  // no wall: the axes differ too little, or too short
-  // the major axis is at half the angle of (a, b); its normal a right angle on
-  const float c = std::sqrt(0.5f * (1.f + a / spread));
-  const float along = std::copysign(std::sqrt(std::max(0.f, 1.f - c * c)), b);
-  out.nx = -along, out.ny = c;
+  return out;
 }
 
 /// For one row of the surroundings, the occupied cell of that row that is nearest to each of the tile's columns.
@@ -114,9 +119,7 @@ class FieldMaker {
   std::uint16_t wall(int x, int y) {
     std::uint16_t& number = number_[y][x];
     if (number == 0) {
-      const Eigen::Vector2f mean = s_.mean(x, y);
-      field_.walls_.push_back({mean.x() - kMargin, mean.y() - kMargin});
-      addNormal(s_, x, y, field_.walls_.back());
+      field_.walls_.push_back(wallThrough(s_, x, y));
       number = static_cast<std::uint16_t>(field_.walls_.size());
     }
     return number;

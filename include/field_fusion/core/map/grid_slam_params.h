@@ -15,8 +15,8 @@ struct GridSlamParams {
   double max_range = 80.0;
   double sigma = 0.03;
   double outlier = 3.0;
-  double effective_beams = 300.0;
-  double smoothing = 5.0;
+  double effective_beams = 600.0;
+  double smoothing = 10.0;
   double min_score = 0.0;
   double resample_threshold = 0.5;
   double occupied = 0.25;

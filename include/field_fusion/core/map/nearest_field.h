@@ -12,7 +12,7 @@ namespace field_fusion::core {
 
 /// What a scan's points are compared with: an occupied cell.
 struct Wall {
-  float x, y;              ///< [cells] mean of its hits, from the corner of the field's tile
+  float x, y;              ///< [cells] from the corner of the field's tile: mean of its hits, on a wall moved onto its line
   float nx = 0, ny = 0;    ///< normal of the wall through it, its sign means nothing; 0: no wall, a point
   bool line() const { return nx != 0.f || ny != 0.f; }
 };
