@@ -3,13 +3,13 @@ import quad_dimensions
 import quad_hard
 import quad_latency
 import quad_obstacles
-
-# Modules with `run(experiment)`: lines of a table, then figures.
-PARTS = {"obstacles": quad_obstacles, "dimensions": quad_dimensions, "latency": quad_latency, "stack": quad_stack}
-PARTS = {"obstacles": quad_obstacles, "hard": quad_hard, "view": quad_view, "dimensions": quad_dimensions, "latency": quad_latency}
-TITLE = __doc__
 import quad_stack
 import quad_view
+
+TITLE = __doc__
+# Modules with `run(experiment)`: lines of a table, then figures.
+PARTS = {"obstacles": quad_obstacles, "hard": quad_hard, "view": quad_view, "stack": quad_stack, "dimensions": quad_dimensions,
+         "latency": quad_latency}
 
 
 def options(parser):
