@@ -27,6 +27,18 @@ def of_message(pose):
     return matrix(pose.position, pose.orientation)
 
 
+def planar(x, y, yaw):
+    T = numpy.eye(4)
+    c, s = math.cos(yaw), math.sin(yaw)
+    T[:2, :2], T[:2, 3] = [[c, -s], [s, c]], (x, y)
+    return T
+
+
+def level(T):
+    """The same without height, pitch and roll."""
+    return planar(*T[:2, 3], yaw(T))
+
+
 def between(a, b, share):
     """Near a, on the way to b that turns by less than 90 degrees: exact for share 0 and 1."""
     T = a + share * (b - a)

@@ -24,6 +24,11 @@ def tool(*arguments, quiet=False):
         raise SessionError(f"{arguments[0]} failed: {done.stdout.strip()}")
 
 
+def shipped_robot(name):
+    """{stage: {parameter: value}}, what differs from the defaults."""
+    return yaml.safe_load((package() / f"config/robots/{name}.yaml").read_text())
+
+
 def defaults(stage):
     return yaml.safe_load((package() / f"config/{stage}.yaml").read_text())
 

@@ -1,7 +1,7 @@
-// points, or image and camera_info -> [rays through voxels, as OctoMap] -> projected_map (map B), voxels
+// points, or image and camera_info -> [rays through voxels, as OctoMap] -> projected_map (map B), voxels, octree
 #include <pluginlib/class_list_macros.hpp>
 
-#include "field_fusion/ros/camera_feed.h"
+#include "field_fusion/ros/octomap_output.h"
 #include "field_fusion/ros/stage.h"
 #include "field_fusion/ros/voxel_flow.h"
 
@@ -16,6 +16,7 @@ class VoxelMapNodelet : public StageNodelet<VoxelStageParams> {
     onParams();
     map_ = output<nav_msgs::OccupancyGrid>("projected_map");
     voxels_ = output<visualization_msgs::MarkerArray>("voxels", true);
+    tree_.start([this](auto* m, auto topic) { return output<std::decay_t<decltype(*m)>>(topic, true); });
     service<SaveMap>("save_voxels", [this](auto& request, auto& answer) { flow_.save(request, answer); });
     if (params().source == VoxelStageParams::Source::kPoints) {
       input<CloudMessage>(
@@ -25,24 +26,18 @@ class VoxelMapNodelet : public StageNodelet<VoxelStageParams> {
     }
     input<sensor_msgs::CameraInfo>("camera_info", [this](const auto& info) { camera_.add(*info); });
     imageInput(
-        "image", [this](const auto& image) { onImage(*image); },
+        "image", [this](const auto& image) { flow_.run(*image, camera_, tf()), send(); },
         [this](const auto& i) { return camera_.ready(i.header.stamp) && flow_.ready(i.header, tf()); });
   }
 
   void onParams() override { flow_.setParams(params()); }
   void onTimeJump() override { flow_.reset(), camera_.reset(); }
 
-  void onImage(const sensor_msgs::Image& image) {
-    std::string why;
-    const auto camera = camera_.modelFor(image, why);
-    if (!camera) throw std::runtime_error(why);
-    flow_.run(image, *camera, tf());
-    send();
-  }
-
   void send() {
     if (!map_.unwanted() && flow_.mapIsDue()) map_.publish(flow_.projected());
-    if (!voxels_.unwanted() && flow_.voxelsAreDue()) voxels_.publish(flow_.voxels());
+    if ((voxels_.unwanted() && tree_.unwanted()) || !flow_.voxelsAreDue()) return;
+    if (!voxels_.unwanted()) voxels_.publish(flow_.voxels());
+    tree_.publish(flow_.header(), flow_.map());
   }
 
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& s) override { flow_.describe(s); }
@@ -51,6 +46,7 @@ class VoxelMapNodelet : public StageNodelet<VoxelStageParams> {
   CameraFeed camera_;
   Output<nav_msgs::OccupancyGrid> map_;
   Output<visualization_msgs::MarkerArray> voxels_;
+  OctomapOutput tree_;
 };
 using VoxelMapStage = Unloadable<VoxelMapNodelet>;
 

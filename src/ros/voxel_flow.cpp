@@ -27,8 +27,11 @@ void VoxelFlow::reset() {
 
 void VoxelFlow::run(const CloudMessage& cloud, const TfCache& tf) { insert(cloud.points, cloud.header, tf); }
 
-void VoxelFlow::run(const sensor_msgs::Image& image, const CameraModel& camera, const TfCache& tf) {
-  withDepth(image, camera.pinhole(),
+void VoxelFlow::run(const sensor_msgs::Image& image, CameraFeed& camera, const TfCache& tf) {
+  std::string why;
+  const auto model = camera.modelFor(image, why);
+  if (!model) throw std::runtime_error(why);
+  withDepth(image, model->pinhole(),
             [&](const auto& depth) { core::depthPoints(depth, params_.image_step, points_); });
   insert(points_, image.header, tf);
 }

@@ -9,9 +9,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 #include "field_fusion/SaveMap.h"
 #include "field_fusion/ros/cloud_message.h"
+#include "field_fusion/ros/octomap_output.h"
 #include "support/depth_room.h"
 #include "support/frames.h"
 #include "support/stage_probe.h"
@@ -189,6 +191,26 @@ TEST_F(VoxelMapStage, ACameraThatIsLostForTenSecondsIsMissedAndItsMapKept) {
   EXPECT_GE(cellAt(*map_.last, 2.02, 0.02), 50) << "what was known before";
   EXPECT_TRUE(spinUntil([&] { return !misses(); }, [&] { next(), cloud_.send(wall(1.02)); }));
 }
+
+#ifdef FIELD_FUSION_OCTOMAP_MSGS
+TEST_F(VoxelMapStage, OctreesSayWhatIsOccupied) {
+  Received<octomap_msgs::Octomap> binary("octomap_binary"), full("octomap_full");
+  ASSERT_TRUE(spinUntil([&] { return binary.connected() && full.connected(); }));
+  ASSERT_TRUE(askUntil([&] { return binary.last && full.last; }, [&] { next(), cloud_.send(wall(2.02)); }));
+  for (const auto& message : {binary.last, full.last}) {
+    EXPECT_EQ(message->header.frame_id, "map");
+    EXPECT_EQ(message->id, "OcTree");
+    octomap::OcTree tree(message->resolution);
+    std::istringstream data(std::string(message->data.begin(), message->data.end()));
+    message->binary ? tree.readBinaryData(data) : tree.readData(data);
+    const auto* node = tree.search(2.02, 0.02, 0.32);
+    ASSERT_TRUE(node);
+    EXPECT_TRUE(tree.isNodeOccupied(node));
+    ASSERT_TRUE(node = tree.search(1.02, 0.02, 0.32));
+    EXPECT_FALSE(tree.isNodeOccupied(node));
+  }
+}
+#endif
 
 TEST_F(VoxelMapStage, IsSavedAsOctoMapReadsIt) {
   ASSERT_TRUE(sees(2.02));

@@ -34,7 +34,7 @@ def included():
     for file in sources("*.h", "*.cpp"):
         for name in re.findall(r"^\s*#include <([^>]+\.(?:h|hpp))>|^\s*#include <(Eigen/\w+)>", file.read_text(), re.M):
             found["".join(name)] = file
-    optional = ("openvino/", "vision_msgs/")  # built without where they are missing
+    optional = ("openvino/", "vision_msgs/", "octomap_msgs/")  # built without where they are missing
     return {name: file for name, file in found.items() if not name.startswith(optional)}
 
 

@@ -125,6 +125,33 @@ def test_a_box_that_leaves_the_view_stays_and_one_that_is_taken_away_goes(tmp_pa
     assert (tmp_path / "quad_view_after_1.png").stat().st_size > 1000
 
 
+def test_dimensions_of_the_laboratory_are_right_to_a_cell_on_deskewed_scans_alone(tmp_path):
+    figures, said = reproduced("--quick", "--parts", "dimensions", "--out", tmp_path, name="quadruped")
+    assert figures["pmf/dimensions/mdr_rmse"] <= (25.0, "mm") < figures["pmf/dimensions/raw_rmse"]
+    assert re.search(r"^paper, RMSE +109 +59$", said, re.M) and re.search(r"^c_gap +0\.900 m ", said, re.M)
+    with open(tmp_path / "quadruped_dimensions.csv") as file:
+        assert len(list(csv.DictReader(file))) == 20
+    assert (tmp_path / "quadruped_lab_1.png").stat().st_size > 1000
+
+
+def test_fused_maps_have_the_contours_that_the_scanner_passes_over(tmp_path):
+    figures, said = reproduced("--quick", "--parts", "stack", "--out", tmp_path, name="quadruped")
+    share = {form: figures[f"pmf/contour/stack/{form}_completeness"][0] for form in ("lidar", "pf", "pmf")}
+    assert share["pmf"] > 0.8 and max(share["lidar"], share["pf"]) < share["pmf"] / 2
+    assert figures["pmf/contour/alone/voxel_completeness"][0] > figures["pmf/contour/alone/scan_completeness"][0]
+    assert re.search(r"^football +not there +[1-9]", said, re.M), "it lies below the scanner"
+    assert re.search(r"^low_box +not there +not there +[1-9]", said, re.M)
+    for name in ("alone", "stack"):
+        assert (tmp_path / f"quadruped_{name}_1.png").stat().st_size > 1000
+
+
+def test_latencies_of_the_quadrupeds_maps_are_told():
+    figures, said = reproduced("--quick", "--parts", "latency", name="quadruped")
+    assert 0.0 < figures["quadruped/latency/depth_to_projected_p99"][0] and 0.0 < figures["quadruped/latency/depth_to_map_p99"][0]
+    assert figures["quadruped/latency/depth_to_map_p99"][1] == "ms" and "quadruped/latency/lost" in figures
+    assert re.search(r"^ +1  fused +[1-9]", said, re.M)
+
+
 @pytest.fixture
 def untrained(tmp_path, monkeypatch):
     """A detector that has learnt nothing takes as long as another."""
@@ -156,6 +183,7 @@ BAD = {  # what is asked for: what is said
     ("usv", "--detections", "truth", "--places", "0900"): "no such place: 0900",
     ("usv", "--detections", "truth", "--parts", "latency"): "the part latency needs a detector",
     ("quadruped-mdr", "--methods", "vicp"): "--methods must name mdr",
+    ("quadruped", "--parts", "lunch"): "invalid choice: 'lunch'",
     ("usv", "--detections", "truth", "--model", "x.onnx"): "--model and --detections truth exclude one another",
     ("usv", "--model", "/nowhere/x.onnx"): "no such model: /nowhere/x.onnx",
     ("usv", "--detections", "truth", "--parts", "table1", "--places", "0200", "--degrade", "sonar=2x"):

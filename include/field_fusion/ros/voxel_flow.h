@@ -10,7 +10,7 @@
 #include "field_fusion/SaveMap.h"
 #include "field_fusion/core/cloud/voxel.h"
 #include "field_fusion/core/map/voxel_map.h"
-#include "field_fusion/ros/camera_model.h"
+#include "field_fusion/ros/camera_feed.h"
 #include "field_fusion/ros/cloud_message.h"
 #include "field_fusion/ros/tf_cache.h"
 
@@ -49,7 +49,7 @@ struct VoxelStageParams {
     p.number("publish_interval", publish_interval, {0.0, 60.0}, "s", core::When::kLive,
              "From one projected map to the next (stamps); 0: with each cloud.");
     p.number("voxels_interval", voxels_interval, {0.0, 60.0}, "s", core::When::kLive,
-             "Likewise of the voxels for RViz.");
+             "Likewise of the voxels for RViz, and of the octree.");
     p.number("projected_size", projected_size, {0.0, 1000.0}, "m", core::When::kLive,
              "Side of the projected map, about the sensor; 0: all that is known.");
     p.text("map_file", map_file, core::When::kStart,
@@ -69,15 +69,18 @@ class VoxelFlow {
   }
   void reset();
 
-  /// Both throw std::runtime_error where the transform is missing; the second also what withDepth throws.
+  /// Both throw std::runtime_error where the transform is missing; the second also without a usable CameraInfo,
+  /// and what withDepth throws.
   void run(const CloudMessage& cloud, const TfCache& tf);
-  void run(const sensor_msgs::Image& image, const CameraModel& camera, const TfCache& tf);
+  void run(const sensor_msgs::Image& image, CameraFeed& camera, const TfCache& tf);
 
   // of the last cloud
   bool mapIsDue() { return isDue(map_sent_, params_.publish_interval); }
   bool voxelsAreDue() { return isDue(voxels_sent_, params_.voxels_interval); }
   boost::shared_ptr<nav_msgs::OccupancyGrid> projected() const;
   boost::shared_ptr<visualization_msgs::MarkerArray> voxels() const;
+  const std_msgs::Header& header() const { return header_; }
+  const core::VoxelMap& map() const { return *map_; }
 
   void save(const SaveMap::Request& request, SaveMap::Response& answer) const;
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status) const;

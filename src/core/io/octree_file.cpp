@@ -78,12 +78,17 @@ void check(const std::string& data, bool binary) {
   if (!walk.atEnd()) throw std::runtime_error("it goes on after the tree");
 }
 
-octomap::OcTree read(const std::string& data, bool binary, const VoxelMapParams& p) {
-  check(data, binary);
-  std::istringstream in(data);
+octomap::OcTree treeLike(const VoxelMapParams& p) {
   octomap::OcTree tree(p.resolution);
   tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max),
       tree.setOccupancyThres(p.occupied);
+  return tree;
+}
+
+octomap::OcTree read(const std::string& data, bool binary, const VoxelMapParams& p) {
+  check(data, binary);
+  std::istringstream in(data);
+  octomap::OcTree tree = treeLike(p);
   if (binary) {
     if (!tree.readBinary(in)) throw std::runtime_error("OctoMap cannot read it");
   } else {
@@ -103,14 +108,8 @@ std::size_t voxelsAlong(const octomap::OcTree::leaf_iterator& leaf) {
   return std::size_t{1} << (kDepth - leaf.getDepth());
 }
 
-}  // namespace
-
-void writeOctree(const fs::path& file, const VoxelMap& map) {
-  const bool binary = isBinary(file);
-  const auto& p = map.params();
-  octomap::OcTree tree(p.resolution);
-  tree.setClampingThresMin(p.clamp_min), tree.setClampingThresMax(p.clamp_max),
-      tree.setOccupancyThres(p.occupied);
+octomap::OcTree treeOf(const VoxelMap& map) {
+  octomap::OcTree tree = treeLike(map.params());
   map.store().forEach([&](const CubeKey& place, const VoxelCube& cube) {
     forEachBit(cube.known, [&](int i) {
       const VoxelKey voxel = voxelOf(place, i);
@@ -120,7 +119,23 @@ void writeOctree(const fs::path& file, const VoxelMap& map) {
   });
   tree.updateInnerOccupancy();
   tree.prune();
+  return tree;
+}
+
+}  // namespace
+
+void writeOctree(const fs::path& file, const VoxelMap& map) {
+  const bool binary = isBinary(file);
+  octomap::OcTree tree = treeOf(map);
   replaceFile(file, [&](std::ostream& out) { binary ? tree.writeBinary(out) : tree.write(out); });
+}
+
+std::string octreeData(const VoxelMap& map, bool binary) {
+  octomap::OcTree tree = treeOf(map);
+  std::ostringstream out;
+  if (binary) tree.toMaxLikelihood(), tree.prune();
+  if (tree.size() > 0) binary ? tree.writeBinaryData(out) : tree.writeData(out);
+  return out.str();
 }
 
 void readOctree(const fs::path& file, VoxelMap& map) try {

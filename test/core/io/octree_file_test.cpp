@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 
 #include "support/octomap_reference.h"
@@ -50,6 +51,25 @@ TEST(OctreeFile, IsReadByOctoMap) {
   EXPECT_EQ(test::difference(map, *tree).different, 0u);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
       << "nothing else is left";
+}
+
+TEST(OctreeFile, ItsDataAloneIsReadByOctoMap) {
+  const VoxelMap map = aMap();
+  auto full = test::octreeLike(map.params()), binary = test::octreeLike(map.params());
+  std::istringstream of_full(octreeData(map, false)), of_binary(octreeData(map, true));
+  full.readData(of_full), binary.readBinaryData(of_binary);
+  EXPECT_EQ(test::difference(map, full).different, 0u);
+  map.store().forEach([&](const CubeKey& place, const VoxelCube& cube) {
+    forEachBit(cube.known, [&](int i) {
+      const VoxelKey voxel = voxelOf(place, i);
+      const auto part = [&](int axis) { return static_cast<octomap::key_type>(voxel[axis] + kMostVoxels); };
+      const auto* node = binary.search(octomap::OcTreeKey(part(0), part(1), part(2)));
+      ASSERT_TRUE(node);
+      ASSERT_EQ(binary.isNodeOccupied(node), map.isOccupied(cube.log_odds[i]));
+    });
+  });
+  EXPECT_EQ(octreeData(VoxelMap(), false), "");
+  EXPECT_EQ(octreeData(VoxelMap(), true), "");
 }
 
 TEST(OctreeFile, ComesBackAsItWas) {

@@ -1,0 +1,13 @@
+# The voxel map as octomap_msgs too, where that package is installed (ros-noetic-octomap-msgs; Debian has none).
+find_package(octomap_msgs QUIET)
+if(octomap_msgs_FOUND)
+  message(STATUS "octomap_msgs ${octomap_msgs_VERSION}: ${octomap_msgs_DIR}")
+  target_sources(field_fusion_ros PRIVATE ${PROJECT_SOURCE_DIR}/src/octomap/octomap_message.cpp)
+  target_compile_definitions(field_fusion_ros PUBLIC FIELD_FUSION_OCTOMAP_MSGS)
+  target_include_directories(field_fusion_ros SYSTEM PUBLIC ${octomap_msgs_INCLUDE_DIRS})
+  if(octomap_msgs_EXPORTED_TARGETS)
+    add_dependencies(field_fusion_ros ${octomap_msgs_EXPORTED_TARGETS})
+  endif()
+else()
+  message(STATUS "no octomap_msgs: voxels go out as markers and files alone")
+endif()
