@@ -208,7 +208,7 @@ TEST(GridSlam, GoesPastAKilometre) {
     Scan scan;
     scan.angle_min = radians(-90.0), scan.angle_increment = radians(2.0), scan.range_max = 40.0;
     for (int k = 0; k < 91; ++k) scan.ranges.push_back(static_cast<float>(corridorRange(at, scan.angle(k))));
-    slam.process(slamScan(scan, Transform::Identity(), {0.0, 40.0, 80.0}), at, i);
+    slam.process(slamScan(scan, Transform::Identity(), {0.0, 40.0, 80.0}), at, std::int64_t{1'000'000'000} * i);
     if (i == 20) first = slam.best().map.tile({0, 0});
   }
   at.x -= 4.0;
