@@ -87,7 +87,7 @@ void GridSlam::begin(const Pose2& T_odom_base) {
 
 /// A driver that starts anew makes steps that no robot makes in that time; after a gap between scans a long one may be true.
 void GridSlam::follow(const Pose2& T_odom_base, std::int64_t stamp_ns) {
-  constexpr double kSlack = 0.5, kSlackTurn = radians(30.0);  // m, rad: stamps are not exact
+  constexpr double kSlack = 0.75, kSlackTurn = radians(60.0);  // m, rad: recorded stamps jitter, half a second and more
   const Pose2 step = between(last_odom_, T_odom_base);
   const double seconds = 1e-9 * static_cast<double>(std::max<std::int64_t>(0, stamp_ns - odom_ns_));
   last_odom_ = T_odom_base, odom_ns_ = stamp_ns;

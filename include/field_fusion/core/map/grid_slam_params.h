@@ -21,7 +21,7 @@ struct GridSlamParams {
   double resample_threshold = 0.5;
   double occupied = 0.25;
   double max_speed = 20.0;
-  double max_turn_rate = 360.0;
+  double max_turn_rate = 180.0;
   int path_length = 100000;
   MotionNoise motion;
   int threads = 0;
@@ -54,9 +54,9 @@ struct GridSlamParams {
     p.number("occupied", occupied, {0.01, 0.99}, "", When::kStart,
              "Share of hits from which a cell is a wall for the matching.");
     p.number("max_speed", max_speed, {0.1, 1000.0}, "m/s", When::kLive,
-             "Odometry that leaves more than half a metre beyond it between two scans has jumped: taken as no step.");
+             "Odometry that leaves more than 0.75 m beyond it between two scans has jumped: taken as no step.");
     p.number("max_turn_rate", max_turn_rate, {1.0, 100000.0}, "deg/s", When::kLive,
-             "Likewise of turns, beyond 30 degrees.");
+             "Likewise of turns, beyond 60 degrees.");
     p.number("path_length", path_length, {10, 100000000}, "scans", When::kLive,
              "Of a longer path the beginning is forgotten: memory follows the map's area, not the time.");
     motion.declare(p);
