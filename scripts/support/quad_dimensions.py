@@ -15,7 +15,7 @@ import walk_bag
 from deskew_stages import DeskewStages, Method
 
 SECONDS = 28.0  # of the walk, once round
-# A quick trot whose body swings by 3 degrees with each stride, in place of the world's 0.5 m/s, 60 deg/s and 0.7 degrees: set so that
+# A quick trot whose body swings by 4 degrees with each stride, in place of the world's 0.5 m/s, 60 deg/s and 0.7 degrees: set so that
 # raw scans give maps about as wrong as the paper's; a swing of 5 degrees is too much (docs/results.md).
 STRIDE = [{"frequency": 2.0, "roll_deg": 1.5, "yaw_deg": 4.0, "y": 0.006},
           {"frequency": 4.0, "pitch_deg": 1.0, "x": 0.003, "z": 0.008, "phase_deg": 40}]  # else the preset `gait`
