@@ -1,11 +1,14 @@
 """reproduce: short forms of the experiments, and what is said to those who ask for what there is not."""
 import csv
+import os
 import re
 import sys
 
 import pytest
 
 from conftest import ROOT, rosrun
+
+LONG = pytest.mark.skipif(not os.environ.get("FIELD_FUSION_LONG"), reason="takes minutes; FIELD_FUSION_LONG=1 runs it too")
 
 
 def reproduced(*arguments, name="usv"):
@@ -116,6 +119,7 @@ def test_the_depth_camera_adds_what_lies_below_the_scanner(tmp_path):
     assert (tmp_path / "quad_obstacles_maps_1.png").stat().st_size > 1000
 
 
+@LONG
 def test_a_box_that_leaves_the_view_stays_and_one_that_is_taken_away_goes(tmp_path):
     figures, _ = reproduced("--quick", "--parts", "view", "--out", tmp_path, name="quadruped")
     assert figures["pmf/view/after/lidar"][0] < 0.1, "the scanner passes over it"
@@ -125,6 +129,7 @@ def test_a_box_that_leaves_the_view_stays_and_one_that_is_taken_away_goes(tmp_pa
     assert (tmp_path / "quad_view_after_1.png").stat().st_size > 1000
 
 
+@LONG
 def test_dimensions_of_the_laboratory_are_right_to_a_cell_on_deskewed_scans_alone(tmp_path):
     figures, said = reproduced("--quick", "--parts", "dimensions", "--out", tmp_path, name="quadruped")
     assert figures["pmf/dimensions/mdr_rmse"] <= (25.0, "mm") < figures["pmf/dimensions/raw_rmse"]
@@ -134,6 +139,7 @@ def test_dimensions_of_the_laboratory_are_right_to_a_cell_on_deskewed_scans_alon
     assert (tmp_path / "quadruped_lab_1.png").stat().st_size > 1000
 
 
+@LONG
 def test_fused_maps_have_the_contours_that_the_scanner_passes_over(tmp_path):
     figures, said = reproduced("--quick", "--parts", "stack", "--out", tmp_path, name="quadruped")
     share = {form: figures[f"pmf/contour/stack/{form}_completeness"][0] for form in ("lidar", "pf", "pmf")}
