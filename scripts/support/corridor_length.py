@@ -3,10 +3,11 @@ import math
 
 import numpy
 
+import grids
+
 STRIPS = {"top": 0.6, "middle": 0.0, "bottom": -0.6}  # m, y of the three places where the paper measures
 STRIP_WIDTH = 0.4  # m
 END = 14.0  # m from the middle: what is occupied beyond is an end wall
-OCCUPIED = 50  # of nav_msgs/OccupancyGrid
 
 
 class Map:
@@ -14,7 +15,7 @@ class Map:
 
     def __init__(self, grid, start):
         info = grid.info
-        self.cells = numpy.array(grid.data, numpy.int8).reshape(info.height, info.width)
+        self.cells = grids.cells(grid)
         self.side = info.resolution
         self.low = numpy.array([info.origin.position.x, info.origin.position.y]) + start
 
@@ -30,7 +31,7 @@ class Map:
     def _wall(self, middle, side):
         """x of an end wall in a strip: of the line through its face there, where the strip has its middle. The face are the innermost
         cells: what was seen from afar lies scattered behind."""
-        rows, columns = numpy.nonzero(self.cells >= OCCUPIED)
+        rows, columns = numpy.nonzero(self.cells >= grids.OCCUPIED)
         x, y = (self.low[axis] + self.side * (index + 0.5) for axis, index in ((0, columns), (1, rows)))
         of_wall = (side * x > END) & (numpy.abs(y - middle) <= STRIP_WIDTH / 2)
         face = {}

@@ -7,6 +7,7 @@ import rosbag
 
 import poses
 import quad_stages
+import sim_bag
 import walk_bag
 
 
@@ -23,16 +24,6 @@ def transforms(path, odometry):
     return at
 
 
-def chain(static, frame, base="base"):
-    """T_base_frame of static transforms."""
-    links = {t.child_frame_id: t for t in static.transforms}
-    T = numpy.eye(4)
-    while frame != base:
-        link = links[frame]
-        T, frame = poses.matrix(link.transform.translation, link.transform.rotation) @ T, link.header.frame_id
-    return T
-
-
 def points(depth, info, step):
     """n x 3 [m] in the camera's optical frame, of a 16UC1 image: every `step`-th pixel of every such row that has a depth."""
     z = numpy.frombuffer(depth.data, numpy.uint16).reshape(depth.height, depth.step // 2)[::step, :depth.width:step] * 1e-3
@@ -46,9 +37,9 @@ def odometry_of(bag_file):
         return walk_bag.Track([message for _, message, _ in bag.read_messages(topics=[quad_stages.ODOM])])
 
 
-def cloud(bag_file, path, static, every, step, farthest):
+def cloud(bag_file, path, every, step, farthest):
     """n x 3 [m] in the map, of every so many [s] and pixels, up to `farthest` [m] ahead of the camera."""
-    odometry = odometry_of(bag_file)
+    odometry, static = odometry_of(bag_file), sim_bag.static_transforms(bag_file)
     T_map_base, out, info, last = transforms(path, odometry), [], None, genpy.Time()
     with rosbag.Bag(str(bag_file)) as bag:
         for topic, message, _ in bag.read_messages(topics=[quad_stages.INFO, quad_stages.IMAGE]):
@@ -57,6 +48,6 @@ def cloud(bag_file, path, static, every, step, farthest):
                 info = message
             elif stamp >= max(last + genpy.Duration.from_sec(every), path.poses[0].header.stamp) and odometry.covers(stamp.to_sec()):
                 last, seen = stamp, points(message, info, step)
-                T = T_map_base(stamp.to_sec()) @ chain(static, message.header.frame_id)
+                T = T_map_base(stamp.to_sec()) @ sim_bag.chained(static.transforms, "base", message.header.frame_id)
                 out.append(poses.apply(T, seen[seen[:, 2] <= farthest]))
     return numpy.concatenate(out) if out else numpy.zeros((0, 3))

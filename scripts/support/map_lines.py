@@ -9,9 +9,9 @@ import typing
 import numpy
 from scipy import ndimage
 
+import grids
 import poses
 
-OCCUPIED = 50  # percent
 REACH = 0.4  # m, how far from where an end should be a face is looked for, at most half of the length
 HALF_STRIP = 0.15  # m, of a face on either side of the dimension
 ALIKE = 1.5  # times as many free places on one side of a face as on the other: then it is seen from there
@@ -27,17 +27,10 @@ class Map:
     """`grid`: nav_msgs/OccupancyGrid. `T_world_map`: 4 x 4."""
 
     def __init__(self, grid, T_world_map):
-        info = grid.info
-        self.cells = numpy.array(grid.data, numpy.int16).reshape(info.height, info.width)
-        self.side, self.T_world_map = info.resolution, T_world_map
-        self.low = numpy.array([info.origin.position.x, info.origin.position.y])
-        self.occupied = self._middles(without_specks(self.cells >= OCCUPIED))
-        self.free = self._middles((self.cells >= 0) & (self.cells < OCCUPIED))
-
-    def _middles(self, which):
-        rows, columns = numpy.nonzero(which)
-        at = self.low + self.side * (numpy.c_[columns, rows] + 0.5)
-        return poses.apply(self.T_world_map, numpy.c_[at, numpy.zeros(len(at))])[:, :2]
+        self.side, cells = grid.info.resolution, grids.cells(grid)
+        places = lambda which: poses.apply_flat(T_world_map, grids.middles(grid, which))
+        self.occupied = places(without_specks(cells >= grids.OCCUPIED))
+        self.free = places((cells >= 0) & (cells < grids.OCCUPIED))
 
 
 def without_specks(cells):

@@ -63,16 +63,11 @@ def _deskewed(walk, stages):
 
 
 def _row(experiment, seed, kind, scans, walk, raw):
-    fed = ((flat(walk.odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
+    fed = ((poses.flat(walk.odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
     grid = slam_stage.run_pairs(experiment, fed, walk.static, seed).grid
     begin = walk.truth.at(walk.scans[0].begin)[:2, 3]  # there the map has its origin
     drawn = corridor_length.Map(grid, begin)
     return Row(seed, kind, drawn.lengths(), raw, drawn)
-
-
-def flat(T):
-    """x, y and yaw of a pose in space, as the robot's transforms tell them to a stage in the plane."""
-    return (*T[:2, 3], poses.yaw(T))
 
 
 def csv_rows(rows):

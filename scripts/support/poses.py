@@ -36,7 +36,7 @@ def planar(x, y, yaw):
 
 def level(T):
     """The same without height, pitch and roll."""
-    return planar(*T[:2, 3], yaw(T))
+    return planar(*flat(T))
 
 
 def between(a, b, share):
@@ -50,6 +50,16 @@ def between(a, b, share):
 def apply(T, points):
     """n x 3."""
     return points @ T[:3, :3].T + T[:3, 3]
+
+
+def apply_flat(T, points):
+    """n x 2: of points at height 0, as seen from above."""
+    return apply(T, numpy.c_[points, numpy.zeros(len(points))])[:, :2]
+
+
+def flat(T):
+    """x, y and yaw of a pose in space, as the robot's transforms tell them to a stage in the plane."""
+    return (*T[:2, 3], yaw(T))
 
 
 def yaw(T):

@@ -6,7 +6,6 @@ import numpy
 
 import figures
 import map_lines
-import mdr_corridor
 import poses
 import sim_world
 import slam_stage
@@ -107,7 +106,7 @@ def _seed(experiment, seed, scaled):
 
 
 def _map(experiment, scans, walk, seed):
-    fed = ((mdr_corridor.flat(walk.odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
+    fed = ((poses.flat(walk.odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
     changes = {**stage_run.shipped_robot("quadruped")["grid_slam"], "resolution": RESOLUTION}
     done = slam_stage.run_pairs(experiment, fed, walk.static, seed, changes)
     T_world_base = poses.level(walk.truth.at(walk.scans[0].begin))

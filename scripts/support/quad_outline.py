@@ -5,8 +5,8 @@ import numpy
 from scipy.ndimage import binary_dilation
 from scipy.spatial import cKDTree
 
+import grids
 import poses
-import quad_score
 import stage_run
 
 NEAR = 0.02  # m from a body's box: its outline
@@ -43,7 +43,7 @@ def of_bodies(outline, bodies):
 def shown(grid, T_world_map, outline):
     """Of each seen place, whether it lies in an occupied cell or in one of the eight around it."""
     info = grid.info
-    cells = numpy.array(grid.data, dtype=numpy.int16).reshape(info.height, info.width) >= quad_score.OCCUPIED
+    cells = grids.cells(grid) >= grids.OCCUPIED
     near = binary_dilation(numpy.pad(cells, MARGIN), numpy.ones((3, 3)))
     local = in_map(outline.seen, T_world_map)
     place = lambda value, start, count: numpy.clip(numpy.floor((value - start) / info.resolution).astype(int) + MARGIN,
@@ -59,7 +59,7 @@ def missed(grid, T_world_map, outline):
 
 
 def in_map(points, T_world_map):
-    return poses.apply(numpy.linalg.inv(T_world_map), numpy.c_[points, numpy.zeros(len(points))])[:, :2]
+    return poses.apply_flat(numpy.linalg.inv(T_world_map), points)
 
 
 def phantoms(points, outline, near):

@@ -5,6 +5,8 @@ import numpy
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+import grids  # noqa: E402
+
 MARGIN = 0.3  # m
 
 
@@ -13,7 +15,7 @@ def maps(grids, titles, file, missed=None):
     figure, axes = plt.subplots(len(grids), 1, figsize=(8, 3.4 * len(grids)), squeeze=False)
     for axis, (name, grid) in zip(axes[:, 0], grids.items()):
         info = grid.info
-        cells = numpy.array(grid.data, dtype=numpy.int16).reshape(info.height, info.width)
+        cells = grids.cells(grid)
         shades = numpy.where(cells < 0, 0.7, 1.0 - cells / 100.0)
         x, y, side = info.origin.position.x, info.origin.position.y, info.resolution
         axis.imshow(shades, cmap="gray", vmin=0.0, vmax=1.0, origin="lower",

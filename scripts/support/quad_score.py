@@ -1,14 +1,13 @@
 """A map of the quadruped against the bodies that truly stand there."""
-import math
 import typing
 
 import genpy
 import numpy
 import rosbag
 
+import grids
 import poses
 
-OCCUPIED = 50  # percent
 NEAR = 1.0  # [cells] round a body's box within which a cell shows it
 
 
@@ -20,8 +19,7 @@ class Body(typing.NamedTuple):
 
     def distance(self, points):
         """[m] of points n x 2 in the world from the box as seen from above; 0 inside."""
-        at = numpy.c_[points, numpy.zeros(len(points))]
-        local = numpy.abs(poses.apply(numpy.linalg.inv(self.T_world_box), at)[:, :2])
+        local = numpy.abs(poses.apply_flat(numpy.linalg.inv(self.T_world_box), points))
         return numpy.linalg.norm(numpy.maximum(local - self.size[:2] / 2, 0.0), axis=1)
 
 
@@ -38,21 +36,12 @@ def world_of_map(bag_file, path):
     with rosbag.Bag(str(bag_file)) as bag:
         truth = min((m for _, m, _ in bag.read_messages(topics=["/truth/pose"], end_time=start.header.stamp + genpy.Duration(1))),
                     key=lambda m: abs((m.header.stamp - start.header.stamp).to_sec()))
-    T = poses.of_message(truth.pose.pose)
-    level = numpy.eye(4)
-    c, s = math.cos(poses.yaw(T)), math.sin(poses.yaw(T))
-    level[:2, :2], level[:2, 3] = [[c, -s], [s, c]], T[:2, 3]
-    return level @ numpy.linalg.inv(poses.of_message(start.pose))
+    return poses.level(poses.of_message(truth.pose.pose)) @ numpy.linalg.inv(poses.of_message(start.pose))
 
 
 def occupied(grid, T_world_map):
     """n x 2: middles of the occupied cells, in the world."""
-    info = grid.info
-    cells = numpy.array(grid.data, dtype=numpy.int16).reshape(info.height, info.width)
-    rows, columns = numpy.nonzero(cells >= OCCUPIED)
-    x = info.origin.position.x + (columns + 0.5) * info.resolution
-    y = info.origin.position.y + (rows + 0.5) * info.resolution
-    return poses.apply(T_world_map, numpy.c_[x, y, numpy.zeros(len(x))])[:, :2]
+    return poses.apply_flat(T_world_map, grids.middles(grid, grids.cells(grid) >= grids.OCCUPIED))
 
 
 def shown(points, body, others, near):

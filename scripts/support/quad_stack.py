@@ -16,7 +16,7 @@ from visualization_msgs.msg import MarkerArray
 import contour_error
 import depth_cloud
 import figures
-import mdr_corridor
+import poses
 import quad_outline
 import quad_score
 import quad_stages
@@ -105,7 +105,7 @@ def _drawn(experiment, bag, seed):
     side, static = maps["lidar"].info.resolution, sim_bag.static_transforms(bag)
     out = {name: Drawn(quad_score.occupied(maps[name], numpy.eye(4)), T_world_map, side) for name in MAPS}
     in_band = lambda points: points[(points[:, 2] >= stage["min_height"]) & (points[:, 2] <= stage["max_height"]), :2]
-    cloud = depth_cloud.cloud(bag, path, static, EVERY, STEP, stage["max_range"])
+    cloud = depth_cloud.cloud(bag, path, EVERY, STEP, stage["max_range"])
     cubes = numpy.array([[p.x, p.y, p.z] for p in voxels[-1].markers[0].points]).reshape(-1, 3)
     return {**out, "scan": out["lidar"], "cloud": Drawn(in_band(cloud), T_world_map, side, True),
             "voxel": Drawn(numpy.unique(in_band(cubes).round(4), axis=0), T_world_map, side),
@@ -116,7 +116,7 @@ def _laser(experiment, bag, scans, static, seed):
     """The map that grid_slam makes of the laser-like scan alone, scan by scan."""
     with_plane = TFMessage(transforms=[*static.transforms, _plane(scans[0].header.frame_id)])
     odometry = depth_cloud.odometry_of(bag)
-    fed = ((mdr_corridor.flat(odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
+    fed = ((poses.flat(odometry.at(scan.header.stamp.to_sec())), scan) for scan in scans)
     done = slam_stage.run_pairs(experiment, fed, with_plane, seed, stage_run.shipped_robot("quadruped")["grid_slam"])
     first = types.SimpleNamespace(poses=[_stamped(*done.poses[0])])
     return Drawn(quad_score.occupied(done.grid, numpy.eye(4)), quad_score.world_of_map(bag, first), done.grid.info.resolution)

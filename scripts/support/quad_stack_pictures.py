@@ -38,7 +38,7 @@ def stack(drawn, truth, file):
 
 
 def _draw(axis, one, truth):
-    points = poses.apply(one.T_world_own, numpy.c_[one.points, numpy.zeros(len(one.points))])[:, :2]
+    points = poses.apply_flat(one.T_world_own, one.points)
     axis.set_aspect("equal")
     if one.is_cloud:
         axis.plot(*points.T, "k,")

@@ -43,7 +43,7 @@ LAUNCH = """<launch>
 
 def _robot(file):
     """The robot's own parameters, with waits that only a broken stage exceeds and maps that come at once."""
-    values = yaml.safe_load((stage_run.package() / "config/robots/quadruped.yaml").read_text())
+    values = stage_run.shipped_robot("quadruped")
     changes = {"deskew_scan": {}, "depth_scan": {}, "scan_merge": {}, "grid_slam": {"map_update_interval": 0.0},
                "voxel_map": {"publish_interval": 0.0}, "map_fusion": {"publish_interval": 0.0}}
     for stage, changed in changes.items():

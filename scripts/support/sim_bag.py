@@ -76,9 +76,12 @@ def nominal_transform(bag_file, target, source):
 
 
 def _transform(bag_file, topic, target, source):
-    """All frames hang on the base by a chain."""
     with rosbag.Bag(str(bag_file)) as bag:
-        transforms = [t for _, message, _ in bag.read_messages(topics=[topic]) for t in message.transforms]
+        return chained([t for _, message, _ in bag.read_messages(topics=[topic]) for t in message.transforms], target, source)
+
+
+def chained(transforms, target, source):
+    """T_target_source: all frames hang on the base by a chain."""
     parents = {t.child_frame_id: (t.header.frame_id, poses.matrix(t.transform.translation, t.transform.rotation))
                for t in transforms}
 

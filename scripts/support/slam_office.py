@@ -34,8 +34,8 @@ def _run(experiment, seed):
     stamps, found = [stamp for stamp, _ in done.poses], [pose for _, pose in done.poses]
     odometry = [pose for pose, _ in slam_stage.pairs(bag, "/scan/scan", EVERY)]
     base = _truth(bag, stamps)
-    truth = moved(base, _planar(sim_bag.true_transform(bag, "base", "scan")))
-    nominal = moved(found, _planar(sim_bag.nominal_transform(bag, "base", "scan")))
+    truth = moved(base, poses.flat(sim_bag.true_transform(bag, "base", "scan")))
+    nominal = moved(found, poses.flat(sim_bag.nominal_transform(bag, "base", "scan")))
     if experiment.given.out and seed == experiment.seeds[0]:
         slam_report.picture(done.grid, done.poses, experiment.folder / "office_map.png", "office")
     experiment.done(bag)
@@ -53,10 +53,6 @@ def _truth(bag_file, stamps):
     values[:, 2] = numpy.unwrap(values[:, 2])
     at = numpy.array(stamps) - stamps[0]
     return numpy.array([numpy.interp(at, times, values[:, k]) for k in range(3)]).T
-
-
-def _planar(T):
-    return numpy.array([T[0, 3], T[1, 3], poses.yaw(T)])
 
 
 def moved(path, step):

@@ -8,6 +8,7 @@ import matplotlib
 import numpy
 
 import figures
+import grids
 from ros_session import SessionError
 
 matplotlib.use("Agg")
@@ -60,8 +61,8 @@ def lines(name, rows):
 
 def picture(grid, poses, file, title):
     info = grid.info
-    cells = numpy.array(grid.data, numpy.int8).reshape(info.height, info.width)
-    shade = numpy.where(cells < 0, 205, numpy.where(cells >= 50, 0, 254))
+    cells = grids.cells(grid)
+    shade = numpy.where(cells < 0, 205, numpy.where(cells >= grids.OCCUPIED, 0, 254))
     rows, columns = numpy.nonzero(cells >= 0)
     x0, y0, side = info.origin.position.x, info.origin.position.y, info.resolution
     extent = (x0, x0 + info.width * side, y0, y0 + info.height * side)

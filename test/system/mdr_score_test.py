@@ -74,7 +74,7 @@ def track(*poses):
 def test_a_pose_in_space_is_told_without_its_pitch_and_roll():
     T = poses.of_message(pose(1.0, -2.0, 0.7).pose.pose)
     tilted = T @ poses.matrix(SimpleNamespace(x=0, y=0, z=0), SimpleNamespace(x=0.0, y=math.sin(0.05), z=0.0, w=math.cos(0.05)))
-    assert mdr_corridor.flat(tilted) == pytest.approx((1.0, -2.0, 0.7))
+    assert poses.flat(tilted) == pytest.approx((1.0, -2.0, 0.7))
 
 
 def walled(ranges, true):

@@ -14,6 +14,7 @@ import depth_cloud
 import poses
 import quad_score
 import quad_stack
+import sim_bag
 
 
 def test_a_pixel_is_a_point_as_far_ahead_as_its_depth():
@@ -34,8 +35,8 @@ def link(parent, child, x):
 
 def test_frames_hang_on_the_base_by_a_chain():
     static = TFMessage(transforms=[link("a", "b", 1.0), link("base", "a", 0.5)])
-    assert depth_cloud.chain(static, "b")[:3, 3] == pytest.approx([1.5, 0.0, 0.0])
-    assert depth_cloud.chain(static, "base") == pytest.approx(numpy.eye(4))
+    assert sim_bag.chained(static.transforms, "base", "b")[:3, 3] == pytest.approx([1.5, 0.0, 0.0])
+    assert sim_bag.chained(static.transforms, "base", "base") == pytest.approx(numpy.eye(4))
 
 
 def test_between_poses_of_the_path_the_odometry_goes_on():
