@@ -22,8 +22,7 @@ add_library(field_fusion_ros ${ros_sources})
 add_dependencies(field_fusion_ros ${PROJECT_NAME}_generate_messages_cpp ${catkin_EXPORTED_TARGETS})
 target_include_directories(field_fusion_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(field_fusion_ros PUBLIC field_fusion_core ${catkin_LIBRARIES})
-include(cmake/vision.cmake)
-include(cmake/octomap.cmake)
+include(cmake/optional_messages.cmake)
 
 # the simulator, apart from the stages as in core
 add_library(field_fusion_sim_ros ${sim_ros_sources})

@@ -1,6 +1,6 @@
 #pragma once
 // The voxel map as octomap_msgs/Octomap, where that package was there when this one was built
-// (cmake/octomap.cmake). No other file depends on whether it was.
+// (cmake/optional_messages.cmake). No other file depends on whether it was.
 #include <std_msgs/Header.h>
 
 #include "field_fusion/core/map/voxel_map.h"

@@ -1,6 +1,6 @@
 #pragma once
 // Obstacles as vision_msgs/Detection3DArray, where that package was there when this one was built
-// (cmake/vision.cmake). No other file depends on whether it was.
+// (cmake/optional_messages.cmake). No other file depends on whether it was.
 #include <string>
 #include <vector>
 
