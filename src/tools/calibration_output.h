@@ -1,7 +1,7 @@
 #pragma once
 // What the calibrations write: a launch file and a YAML file; calibrate_lidar_camera a picture of each pose and a table, too.
-#include <cstdio>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>

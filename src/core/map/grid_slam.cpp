@@ -60,8 +60,7 @@ GridSlam::Outcome GridSlam::process(const SlamScan& scan, const Pose2& T_odom_ba
   if (!T_odom_base.finite()) throw std::invalid_argument("the odometry's pose is not finite");
   if (count_ == 0) {
     if (scan.hits.empty()) return Outcome::kBlind;
-    begin(T_odom_base);
-    odom_ns_ = stamp_ns;
+    begin(T_odom_base, stamp_ns);
     if (!start_) {
       record(scan, stamp_ns);
       return Outcome::kProcessed;
@@ -79,8 +78,8 @@ GridSlam::Outcome GridSlam::process(const SlamScan& scan, const Pose2& T_odom_ba
   return blind ? Outcome::kBlind : Outcome::kProcessed;
 }
 
-void GridSlam::begin(const Pose2& T_odom_base) {
-  last_odom_ = T_odom_base, since_ = {};
+void GridSlam::begin(const Pose2& T_odom_base, std::int64_t stamp_ns) {
+  last_odom_ = T_odom_base, odom_ns_ = stamp_ns, since_ = {};
   if (!start_)
     for (Particle& p : particles_) p.pose = T_odom_base;
 }

@@ -56,7 +56,7 @@ class GridSlam {
  private:
   bool due(std::int64_t stamp_ns) const;
   void follow(const Pose2& T_odom_base, std::int64_t stamp_ns);
-  void begin(const Pose2& T_odom_base);
+  void begin(const Pose2& T_odom_base, std::int64_t stamp_ns);
   PosePrior prior(const Particle& particle) const;
   void move(Particle& particle, std::size_t index, const SlamScan& scan, ScanMatcher& matcher) const;
   void weigh();
