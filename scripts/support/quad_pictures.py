@@ -10,10 +10,13 @@ import grids  # noqa: E402
 MARGIN = 0.3  # m
 
 
-def maps(grids, titles, file, missed=None):
-    """White: free; black: occupied; grey: unknown. Red: `missed`, {name: n x 2 places in the map [m]}."""
-    figure, axes = plt.subplots(len(grids), 1, figsize=(8, 3.4 * len(grids)), squeeze=False)
-    for axis, (name, grid) in zip(axes[:, 0], grids.items()):
+def maps(of_names, titles, file, missed=None):
+    """Of `of_names`, {name: OccupancyGrid}. White: free; black: occupied; grey: unknown.
+
+    Red: `missed`, {name: n x 2 places in the map [m]}.
+    """
+    figure, axes = plt.subplots(len(of_names), 1, figsize=(8, 3.4 * len(of_names)), squeeze=False)
+    for axis, (name, grid) in zip(axes[:, 0], of_names.items()):
         info = grid.info
         cells = grids.cells(grid)
         shades = numpy.where(cells < 0, 0.7, 1.0 - cells / 100.0)
