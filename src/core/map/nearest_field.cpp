@@ -1,7 +1,5 @@
 #include "field_fusion/core/map/nearest_field.h"
 
-#include <Eigen/Core>
-
 #include <algorithm>
 
 #include "field_fusion/core/map/wall_line.h"
@@ -14,44 +12,56 @@ constexpr int kSide = kTileSide + 2 * kMargin;  // of the tile with what surroun
 static_assert(kMargin >= kReach + HitsAround::kReach);
 static_assert(kSide <= 64, "a row of it is the bits of one word");
 
-/// What is occupied in and around the tile.
-struct Surroundings {
-  const Neighbourhood& tiles;
+/// What was hit in and around the tile, and what of it is occupied.
+class Surroundings {
+ public:
+  explicit Surroundings(const Neighbourhood& tiles) {
+    for (int k = 0; k < 9; ++k)
+      if (tiles[k]) add(*tiles[k], kMargin + (k % 3 - 1) * kTileSide, kMargin + (k / 3 - 1) * kTileSide);
+  }
+  bool empty() const {
+    return std::all_of(rows.begin(), rows.end(), [](std::uint64_t row) { return row == 0; });
+  }
+  /// The wall through an occupied cell. All that was ever hit says where it is, occupied or not: of a wall between two
+  /// rows of cells, beams cross the nearer, so that only the farther may count as occupied, and that has the long ranges alone.
+  Wall wallThrough(int x, int y) const;
+
   std::array<std::uint64_t, kSide> rows{};  // bit x: occupied
 
-  Cell cell(int x, int y) const {
-    const int u = x + kTileSide - kMargin, v = y + kTileSide - kMargin;  // from the corner of the first tile
-    const Tile* tile = tiles[v / kTileSide * 3 + u / kTileSide];
-    return tile ? tile->at(u, v) : Cell();
+ private:
+  struct Hits {
+    float x, y, number;  // mean [cells] from the corner of the surroundings
+  };
+
+  void add(const Tile& tile, int left, int bottom) {
+    constexpr std::uint64_t kInside = (std::uint64_t{1} << kSide) - 1;
+    for (int y = std::max(0, bottom); y < std::min(kSide, bottom + kTileSide); ++y) {
+      const std::uint64_t row = tile.occupied()[y - bottom];
+      rows[y] |= (left < 0 ? row >> -left : row << left) & kInside;
+      tile.forEachHit(y - bottom, [&](int column, const Cell& cell) {
+        const int x = left + column;
+        if (x < 0 || x >= kSide || cell.hits == 0) return;
+        struck_[y] |= std::uint64_t{1} << x;
+        hits_[y * kSide + x] = {x + 0.5f + cell.x / (2.f * Cell::kHalf), y + 0.5f + cell.y / (2.f * Cell::kHalf),
+                                static_cast<float>(cell.hits)};
+      });
+    }
   }
-  /// [cells] of its hits, from the corner of the surroundings.
-  static Eigen::Vector2f mean(const Cell& cell, int x, int y) {
-    return {x + 0.5f + cell.x / (2.f * Cell::kHalf), y + 0.5f + cell.y / (2.f * Cell::kHalf)};
-  }
+
+  std::array<std::uint64_t, kSide> struck_{};  // bit x: was hit
+  std::array<Hits, kSide * kSide> hits_;       // of those that were; the rest is left as it is
 };
 
-void addTile(Surroundings& out, const Tile& tile, int left, int bottom) {
-  constexpr std::uint64_t kInside = (std::uint64_t{1} << kSide) - 1;
-  for (int y = std::max(0, bottom); y < std::min(kSide, bottom + kTileSide); ++y) {
-    const std::uint64_t row = tile.occupied()[y - bottom];
-    out.rows[y] |= (left < 0 ? row >> -left : row << left) & kInside;
-  }
-}
-
-/// The wall through an occupied cell. All that was ever hit says where it is, occupied or not: of a wall between two rows of
-/// cells, beams cross the nearer, so that only the farther may count as occupied, and that has the long ranges alone.
-Wall wallThrough(const Surroundings& s, int x, int y) {
+Wall Surroundings::wallThrough(int x, int y) const {
   constexpr int kAround = HitsAround::kReach;
-  const Eigen::Vector2f own = s.mean(s.cell(x, y), x, y);
+  const Hits& own = hits_[y * kSide + x];
   HitsAround around;
-  for (int v = -kAround; v <= kAround; ++v)
-    for (int u = -kAround; u <= kAround; ++u) {
-      const Cell cell = s.cell(x + u, y + v);
-      if (cell.hits == 0) continue;
-      const Eigen::Vector2f off = s.mean(cell, x + u, y + v) - own;
-      around.add(off.x(), off.y(), cell.hits);
+  for (int v = y - kAround; v <= y + kAround; ++v)
+    for (std::uint64_t left = struck_[v] >> (x - kAround) & ((1u << (2 * kAround + 1)) - 1u); left != 0; left &= left - 1) {
+      const Hits& hits = hits_[v * kSide + x - kAround + __builtin_ctzll(left)];
+      around.add(hits.x - own.x, hits.y - own.y, hits.number);
     }
-  Wall out{own.x() - kMargin, own.y() - kMargin};
+  Wall out{own.x - kMargin, own.y - kMargin};
   if (const auto line = wallLine(around)) {
     out.nx = line->nx, out.ny = line->ny;
     out.x += line->off * line->nx, out.y += line->off * line->ny;
@@ -119,7 +129,7 @@ class FieldMaker {
   std::uint16_t wall(int x, int y) {
     std::uint16_t& number = number_[y][x];
     if (number == 0) {
-      field_.walls_.push_back(wallThrough(s_, x, y));
+      field_.walls_.push_back(s_.wallThrough(x, y));
       number = static_cast<std::uint16_t>(field_.walls_.size());
     }
     return number;
@@ -132,10 +142,8 @@ class FieldMaker {
 
 boost::intrusive_ptr<NearestField> nearestField(const Neighbourhood& tiles) {
   static const boost::intrusive_ptr<NearestField> kNothing(new NearestField);
-  Surroundings s{tiles};
-  for (int k = 0; k < 9; ++k)
-    if (tiles[k]) addTile(s, *tiles[k], kMargin + (k % 3 - 1) * kTileSide, kMargin + (k / 3 - 1) * kTileSide);
-  if (std::all_of(s.rows.begin(), s.rows.end(), [](std::uint64_t row) { return row == 0; })) return kNothing;
+  const Surroundings s(tiles);
+  if (s.empty()) return kNothing;
   boost::intrusive_ptr<NearestField> field(new NearestField);
   FieldMaker(s, *field).fill();
   return field;

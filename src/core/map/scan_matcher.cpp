@@ -141,17 +141,22 @@ ScanMatcher::Normal ScanMatcher::normal(const Vector& v, float outlier) {
 }
 
 /// Cost of the thinned scan, turned already, moved by whole cells: squared distances to what is nearest, none
-/// above `limit`.
-float ScanMatcher::roughCost(int dx, int dy, float limit) {
+/// above `limit`. Infinite where it is no less than `most`, which is known early.
+float ScanMatcher::roughCost(int dx, int dy, float limit, float most) {
+  constexpr std::size_t kStride = 16;
   float sum = 0.f;
-  for (const RoughPoint& p : rough_) {
-    const int x = p.cell_x + dx, y = p.cell_y + dy;
-    if (const Wall* nearest = window_.nearest(x, y)) {
-      const float u = p.x + static_cast<float>(dx) - FieldWindow::tileCorner(x) - nearest->x;
-      const float v = p.y + static_cast<float>(dy) - FieldWindow::tileCorner(y) - nearest->y;
-      sum += std::min(limit, u * u + v * v);
-    } else {
-      sum += limit;
+  for (std::size_t i = 0; i < rough_.size(); i += kStride) {
+    if (!(sum < most)) return std::numeric_limits<float>::infinity();
+    for (std::size_t k = i; k < std::min(rough_.size(), i + kStride); ++k) {
+      const RoughPoint& p = rough_[k];
+      const int x = p.cell_x + dx, y = p.cell_y + dy;
+      if (const Wall* nearest = window_.nearest(x, y)) {
+        const float u = p.x + static_cast<float>(dx) - FieldWindow::tileCorner(x) - nearest->x;
+        const float v = p.y + static_cast<float>(dy) - FieldWindow::tileCorner(y) - nearest->y;
+        sum += std::min(limit, u * u + v * v);
+      } else {
+        sum += limit;
+      }
     }
   }
   return sum;
@@ -172,16 +177,18 @@ ScanMatcher::Vector ScanMatcher::search(const PosePrior& prior) {
   const int n = steps(sigma / settings_.resolution, kStep, 4), m = steps(std::sqrt(prior.covariance(2, 2)), step_yaw, 10);
   Vector best = prior_mean_;
   double least = std::numeric_limits<double>::infinity();
-  for (int t = -m; t <= m; ++t) {
-    const double yaw = prior_mean_.z() + step_yaw * t;
-    turnRough(yaw, stride);
+  const auto consider = [&](int i, int j, int t) {
+    const Vector v = prior_mean_ + Vector(kStep * i, kStep * j, step_yaw * t);
     const double scale = 0.5 * scale_ * static_cast<double>(hits_.size()) / static_cast<double>(rough_.size());
+    const double prior_cost = priorCost(v), most = (least - prior_cost) / scale;
+    const double at = scale * roughCost(kStep * i, kStep * j, kLimit, static_cast<float>(most)) + prior_cost;
+    if (at < least) least = at, best = v;
+  };
+  for (int t = 0; t <= 2 * m; ++t) {  // from the middle outwards: what is near what odometry says rules out the rest early
+    const int turn = t % 2 == 0 ? t / 2 : -(t + 1) / 2;
+    turnRough(prior_mean_.z() + step_yaw * turn, stride);
     for (int j = -n; j <= n; ++j)
-      for (int i = -n; i <= n; ++i) {
-        const Vector v = prior_mean_ + Vector(kStep * i, kStep * j, step_yaw * t);
-        const double at = scale * roughCost(kStep * i, kStep * j, kLimit) + priorCost(v);
-        if (at < least) least = at, best = v;
-      }
+      for (int i = -n; i <= n; ++i) consider(i, j, turn);
   }
   return best;
 }

@@ -24,6 +24,7 @@ Cell& Tile::struck(int x, int y) {
   const int at = rank(x, y);
   if (wasHit(x, y)) return struck_[at];
   std::uint8_t& visits = visits_[index(x, y)];
+  if (struck_.size() == struck_.capacity()) struck_.reserve(struck_.size() + struck_.size() / 8 + 2);  // not twice: thousands of tiles
   struck_.insert(struck_.begin() + at, Cell{0, visits, 0, 0});
   visits = 0xff;  // seen
   hit_[row(y)] |= 1u << column(x);

@@ -72,7 +72,7 @@ class ScanMatcher {
   Normal normal(const Vector& v, float outlier);
   Vector search(const PosePrior& prior);
   void turnRough(double yaw, std::size_t stride);
-  float roughCost(int dx, int dy, float limit);
+  float roughCost(int dx, int dy, float limit, float most);
   Vector descend(Vector v);
   Vector best(const PosePrior& prior);
   void sample(const Vector& peak, Match& out);

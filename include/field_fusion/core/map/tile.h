@@ -36,6 +36,13 @@ class Tile : public boost::intrusive_ref_counter<Tile> {
   bool seen(int x, int y) const { return visits_[index(x, y)] > 0; }
   bool wasHit(int x, int y) const { return (hit_[row(y)] >> column(x) & 1u) != 0; }
 
+  /// Calls visit(x, cell) for the cells of one row that were ever hit, from low x on.
+  template <class Visit>
+  void forEachHit(int y, const Visit& visit) const {
+    const Cell* cell = struck_.data() + before_[y];
+    for (std::uint32_t left = hit_[y]; left != 0; left &= left - 1) visit(__builtin_ctz(left), *cell++);
+  }
+
   /// A beam went through. Full counts are halved: the probability stays, and new beams weigh no less than 1 in 65535.
   void visit(int x, int y) {
     if (wasHit(x, y)) return count(struck_[rank(x, y)]);
