@@ -45,6 +45,7 @@ class Calibrator {
     readScans();
     const core::Calibration found = solve();
     printTable(found);  // first: it stays where nothing can be written
+    printSize(found);
     write(found);
   }
 
@@ -91,7 +92,7 @@ class Calibrator {
     return out;
   }
 
-  core::Calibration solve() const {
+  core::Calibration solve() {
     const auto tf = options_.ignore_tf ? std::nullopt : bag_.staticTransform(frames_.camera, frames_.lidar);
     core::Transform T_camera_lidar;
     if (tf) {
@@ -107,7 +108,18 @@ class Calibrator {
     const Choice on = [&](const Resting& pose, const core::Cloud& cloud) {
       return core::returnsOn(cloud, board_, first.T_camera_lidar.inverse() * pose.view.T_camera_board, options_.search);
     };
-    return core::calibrate(board_, camera_.lens, withReturns(on, false), first.T_camera_lidar, options_.noise);
+    measured_ = withReturns(on, false);
+    return core::calibrate(board_, camera_.lens, measured_, first.T_camera_lidar, options_.noise);
+  }
+
+  /// The size of the squares is what all lengths hang on, and nothing else would tell that it is wrong.
+  void printSize(const core::Calibration& found) const {
+    constexpr double kAnyScanner = 0.01, kSure = 5.0;  // no scanner's ranges are off by so large a factor; sigmas
+    const auto [factor, sigma] = core::rangeFactor(board_, camera_.lens, measured_, found, options_.noise);
+    std::printf("ranges over the board's distances: %.4f +- %.4f\n", factor, sigma);
+    if (std::abs(factor - 1.0) > std::max(kAnyScanner, kSure * sigma))
+      std::printf("WARNING: squares of %.4g m, not of %.4g as --board says, would fit the ranges: measure them\n",
+                  factor * board_.square, board_.square);
   }
 
   /// From the poses in which one piece alone may be the board.
@@ -154,6 +166,7 @@ class Calibrator {
   BagCamera camera_;
   CalibrationFrames frames_;
   std::vector<Resting> poses_;
+  std::vector<core::CalibrationPose> measured_;  // with the returns of the last step
 };
 
 void declare(CLI::App& app, Options& options) {

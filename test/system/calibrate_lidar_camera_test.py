@@ -61,6 +61,17 @@ def test_the_launch_file_tells_the_same_as_the_table(bag, tmp_path):
     assert numpy.allclose([float(n) for n in numbers[:3]], numpy.linalg.inv(found)[:3, 3], atol=1e-6)
 
 
+def test_squares_of_another_size_are_told(bag, tmp_path):
+    columns, rows, square = calibration_world.BOARD.split("x")
+    wrong = f"{columns}x{rows}x{0.97 * float(square):.4f}"
+    done = calibrate(bag, "--board", wrong, *TOPICS[2:], "--lidar", "/lidar/points", "--range-offset", "0.01", "--out", tmp_path)
+    told = re.search(r"WARNING: squares of (\S+) m, not of", done.stdout)
+    assert done.returncode == 0 and told, done.stdout + done.stderr
+    assert abs(float(told[1]) - float(square)) < 0.01 * float(square)
+    right = calibrate(bag, *TOPICS, "--lidar", "/lidar/points", "--range-offset", "0.01", "--out", tmp_path)
+    assert right.returncode == 0 and "WARNING" not in right.stdout, right.stdout
+
+
 BAD = {
     ("--board", "8x6"): "board 8x6 is not COLUMNSxROWSxSQUARE",
     ("--board", "9x7x0.1", "--image", "/camera/image_raw", "--lidar", "/lidar/points"): "no picture shows the whole board 9x7x0.1",

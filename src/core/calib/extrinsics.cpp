@@ -122,6 +122,18 @@ Calibration calibrate(const Board& board, const CameraLens& lens, std::vector<Ca
   return found;
 }
 
+RangeFactor rangeFactor(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
+                        const Calibration& found, const CalibrationOptions& options) {
+  std::vector<CalibrationPose> used;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (found.poses.at(i).used) used.push_back(poses[i]);
+  CalibrationOptions open = options;
+  open.scale_sigma = 1.0;
+  JointProblem problem(board, lens, used, found.T_camera_lidar, open);
+  problem.solve();
+  return {1.0 + problem.scale(), problem.scaleSigma()};
+}
+
 Calibration calibrateFromAnywhere(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
                                   const CalibrationOptions& options) {
   check(board, poses, Transform::Identity());

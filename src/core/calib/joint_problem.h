@@ -27,6 +27,7 @@ class JointProblem {
 
   /// Of the transform, and false where the normal equations have no inverse.
   bool covariance(Eigen::Matrix<double, 6, 6>& out);
+  double scaleSigma();  ///< infinite where the normal equations have no inverse
   void removePose(std::size_t i) { blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(i)); }
 
   const std::vector<PoseBlock>& blocks() const { return blocks_; }
@@ -40,6 +41,7 @@ class JointProblem {
   void addReturns(ceres::Problem& problem, PoseBlock& block);
   void addCorners(ceres::Problem& problem, PoseBlock& block);
   void addPriors(ceres::Problem& problem);
+  bool covarianceOf(double* block, double* row_major);
   void build(ceres::Problem& problem);
   double minimise(ceres::Problem& problem, ceres::LinearSolverType solver, double tolerance);
   void measureNoise();

@@ -103,6 +103,22 @@ TEST_P(Sensors, AnOutlierIsNamedAndDoesNotCount) {
   EXPECT_LT(off.dot(found.covariance.ldlt().solve(off)), kChi999);
 }
 
+TEST_P(Sensors, AWrongSizeOfTheSquaresShowsInTheRanges) {
+  std::mt19937 random(9);
+  DrawParams params;
+  params.flat = GetParam();
+  const DrawnBoards drawn = drawBoards(kBoard, kLens, params, random);
+  for (const double stated : {0.1, 0.097}) {
+    const Board board{8, 6, stated};
+    auto poses = drawn.poses;
+    for (CalibrationPose& pose : poses) pose.view.T_camera_board.translation() *= stated / kBoard.square;
+    const Calibration found = calibrate(board, kLens, poses, drawn.T_camera_lidar, {});
+    const RangeFactor ranges = rangeFactor(board, kLens, poses, found, {});
+    EXPECT_NEAR(ranges.factor, kBoard.square / stated, 4.0 * ranges.sigma) << stated;
+    EXPECT_LT(ranges.sigma, 0.003);
+  }
+}
+
 TEST_P(Sensors, ParallelBoardsAreRefusedWithTheReason) {
   std::mt19937 random(5);
   DrawParams params;

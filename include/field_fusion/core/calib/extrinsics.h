@@ -60,6 +60,14 @@ Calibration calibrate(const Board& board, const CameraLens& lens, std::vector<Ca
 Calibration calibrateFromAnywhere(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
                                   const CalibrationOptions& options);
 
+/// By what factor the ranges are longer than the board's stated size has them, by the poses that were used: a scale
+/// that no scanner has is a wrong size, of squares that are `factor` times as large.
+struct RangeFactor {
+  double factor = 1.0, sigma = 0.0;
+};
+RangeFactor rangeFactor(const Board& board, const CameraLens& lens, const std::vector<CalibrationPose>& poses,
+                        const Calibration& found, const CalibrationOptions& options);
+
 /// Why these poses leave something unknown, by the geometry alone; empty: they do not. `T_camera_lidar` as found.
 std::string degenerate(const std::vector<CalibrationPose>& poses, const Transform& T_camera_lidar);
 
