@@ -35,6 +35,7 @@ class DepthScanNodelet : public StageNodelet<DepthScanStageParams> {
 
   void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) override {
     const auto& counts = flow_.counts();
+    if (flow_.blind()) status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "the last depth has no point at all");
     status.add("last depth: points seen", counts.seen);
     status.add("last depth: floor", counts.floor);
     status.add("last depth: above the band", counts.above);

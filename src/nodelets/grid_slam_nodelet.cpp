@@ -1,5 +1,4 @@
 // scan, odometry by TF -> [Rao-Blackwellised particle filter] -> map, local_map, particles, path, map -> odom
-#include <nav_msgs/GetMap.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "field_fusion/ros/slam_flow.h"
@@ -17,7 +16,7 @@ class GridSlamNodelet : public StageNodelet<SlamStageParams> {
     map_ = output<nav_msgs::OccupancyGrid>("map", true), meta_ = output<nav_msgs::MapMetaData>("map_metadata", true);
     local_ = output<nav_msgs::OccupancyGrid>("local_map"), path_ = output<nav_msgs::Path>("path");
     particles_ = output<geometry_msgs::PoseArray>("particles"), entropy_ = output<std_msgs::Float64>("~entropy");
-    service<nav_msgs::GetMap>("dynamic_map", [this](auto&, auto& out) { out.map = *flow_.map(); });
+    service<nav_msgs::GetMap>("dynamic_map", [this](auto&, auto& out) { flow_.answer(out); });
     service<SaveMap>("save_map", [this](auto& request, auto& answer) { flow_.save(request, answer); });
     input<sensor_msgs::LaserScan>(
         "scan", [this](const auto& scan) { onScan(*scan); },

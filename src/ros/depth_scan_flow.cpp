@@ -23,11 +23,13 @@ boost::shared_ptr<sensor_msgs::LaserScan> DepthScanFlow::run(const sensor_msgs::
                                                              const CameraModel& camera, const TfCache& tf) {
   counts_ = withDepth(image, camera.pinhole(),
                       [&](const auto& depth) { return scanner_.run(depth, place(image.header, tf), scan_); });
+  ran_ = true;
   return scanMessage(level_.header(image.header.stamp), scan_);
 }
 
 boost::shared_ptr<sensor_msgs::LaserScan> DepthScanFlow::run(const CloudMessage& cloud, const TfCache& tf) {
   counts_ = scanner_.run(cloud.points, place(cloud.header, tf), scan_);
+  ran_ = true;
   return scanMessage(level_.header(cloud.header.stamp), scan_);
 }
 

@@ -100,7 +100,7 @@ std::string loadOne(const ros::NodeHandle& nh, const core::Param& param, const s
   if (auto* number = std::get_if<double>(&*value)) *number *= factor;
   const auto fault = core::faultOf(param, *value);
   if (fault.empty()) param.set(*value);
-  return fault;
+  return fault.empty() || key == param.name ? fault : key + ": " + fault;
 }
 
 bool isOther(const std::string& key, const OtherNames& others) {

@@ -2,12 +2,24 @@
 
 #include <boost/make_shared.hpp>
 
+#include <filesystem>
+
 #include "field_fusion/core/map/particle_weights.h"
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/scan_message.h"
 
 namespace field_fusion {
 namespace {
+
+/// Throws std::runtime_error with the file's name.
+core::TileMap loadedMap(const std::string& file, const core::GridSlamParams& p) {
+  const core::Occupancy map = core::readMap(file);
+  try {
+    return core::tileMapOf(map, p.resolution, static_cast<float>(p.occupied));
+  } catch (const std::exception& e) {
+    throw std::runtime_error("map " + file + ": " + e.what());
+  }
+}
 
 constexpr double kMisfitShown = 10.0;  // [s, stamps] that a scan which does not fit keeps the status at WARN
 
@@ -22,14 +34,14 @@ void SlamFlow::setParams(const SlamStageParams& params) {
   broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   drawer_ = core::OccupancyDrawer(params.slam.resolution);
   if (!params.map_file.empty())
-    loaded_ = core::tileMapOf(core::readMap(params.map_file), params.slam.resolution,
-                              static_cast<float>(params.slam.occupied));
+    loaded_ = loadedMap(params.map_file, params.slam);
   reset();
 }
 
 void SlamFlow::reset() {
   params_.map_file.empty() ? slam_->reset() : slam_->reset(loaded_, params_.start());
   drawer_.reset(), local_.clear();
+  last_blind_ = false;
   header_ = {}, drawn_ = {}, misfit_ = {};
   header_.frame_id = params_.map_frame;
 }
@@ -46,6 +58,7 @@ SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCach
   const Outcome outcome =
       slam_->process(scan, T_odom_base, static_cast<std::int64_t>(message.header.stamp.toNSec()));
   header_.stamp = message.header.stamp;
+  last_blind_ = scan.hits.empty();
   if (outcome == Outcome::kBlind) ++blind_;
   if (outcome != Outcome::kProcessed && !slam_->best().path) return {};
   sendTransform(T_odom_base);
@@ -76,7 +89,15 @@ boost::shared_ptr<nav_msgs::OccupancyGrid> SlamFlow::localMap() {
   return gridMessage(header_, local_.draw(slam_->best().path.get(), params_.slam.resolution, params_.local_size));
 }
 
+void SlamFlow::answer(nav_msgs::GetMap::Response& answer) {
+  const auto drawn = map();
+  if (drawn->data.empty()) throw std::runtime_error("there is no map yet");
+  answer.map = *drawn;
+}
+
 void SlamFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) try {
+  if (!std::filesystem::path(request.file).is_absolute())
+    throw std::runtime_error("'" + request.file + "' does not begin at /: a node has no folder of yours");
   core::writeMap(request.file, drawer_.update(slam_->best().map));
   answer.success = true;
 } catch (const std::runtime_error& e) {
@@ -94,6 +115,7 @@ void SlamFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) con
   if (slam_->odometryJumps() > 0) status.mergeSummary(DiagnosticStatus::WARN, "odometry has jumped");
   if (!misfit_.isZero() && (header_.stamp - misfit_).toSec() < kMisfitShown)
     status.mergeSummary(DiagnosticStatus::WARN, "a scan did not fit the map: has the robot been carried?");
+  if (last_blind_) status.mergeSummary(DiagnosticStatus::WARN, "the last scan has no return between min_range and maxUrange");
   status.add("scans taken into the map", taken_);
   status.add("scans that did not fit it", misfits_);
   status.add("last scan: share that fits", slam_->fit());

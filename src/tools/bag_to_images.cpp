@@ -86,7 +86,12 @@ fs::path folderIn(const Options& options, const char* what) {
 }
 
 void extract(const Options& options) {
-  rosbag::Bag bag(options.bag);
+  rosbag::Bag bag;
+  try {
+    bag.open(options.bag);
+  } catch (const rosbag::BagException& e) {
+    throw std::runtime_error(options.bag + " is no bag that can be read: " + e.what());
+  }
   const std::string topic = imageTopic(bag, options.topic);
   LabelFiles labels;
   if (!options.labels.empty()) labels = readLabels(bag, options.labels, options.classes, options.limits);

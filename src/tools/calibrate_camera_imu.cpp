@@ -68,6 +68,7 @@ void run(Options& options) {
   const BagCamera camera = cameraOf(bag, options.image, options.camera_info);
   std::string frame;
   const auto readings = bag.readings(topic, frame);
+  core::checkReadings(readings);  // before the pictures are looked at, which takes minutes
   std::size_t seen = 0;
   const auto sightings = sightingsOf(bag, camera, board, options.every, seen);
   std::cout << seen << " pictures, the whole board in " << sightings.size() << "\n";

@@ -32,7 +32,13 @@ struct LaserFrame {
 
 class CalibrationBag {
  public:
-  explicit CalibrationBag(const std::string& file) : bag_(file), file_(file) {
+  /// Throws std::runtime_error where the file is no bag.
+  explicit CalibrationBag(const std::string& file) : file_(file) {
+    try {
+      bag_.open(file);
+    } catch (const rosbag::BagException& e) {
+      throw std::runtime_error(file + " is no bag that can be read: " + e.what());
+    }
     rosbag::View all(bag_);
     for (const rosbag::ConnectionInfo* c : all.getConnections()) types_[c->topic] = c->datatype;
   }
@@ -50,6 +56,9 @@ class CalibrationBag {
     return wanted.empty() ? fit.front() : wanted;
   }
 
+  /// For messages of faults: which of the bag's.
+  std::string name(const std::string& topic) const { return file_ + ": " + topic; }
+
   template <class Message>
   typename Message::ConstPtr first(const std::string& topic) {
     rosbag::View view(bag_, rosbag::TopicQuery(topic));
@@ -65,9 +74,9 @@ class CalibrationBag {
     for (const rosbag::MessageInstance& m : view) {
       ++done;
       if (const auto image = m.instantiate<sensor_msgs::Image>())
-        take(image->header.stamp.toSec(), cv_bridge::toCvShare(image, "bgr8")->image, done, view.size());
+        take(image->header.stamp.toSec(), pixels(topic, *image), done, view.size());
       else if (const auto packed = m.instantiate<sensor_msgs::CompressedImage>())
-        take(packed->header.stamp.toSec(), cv_bridge::toCvCopy(*packed, "bgr8")->image, done, view.size());
+        take(packed->header.stamp.toSec(), pixels(topic, *packed), done, view.size());
     }
   }
 
@@ -109,8 +118,16 @@ class CalibrationBag {
   }
 
  private:
+  /// Throws std::runtime_error that names the picture.
+  template <class Image>
+  cv::Mat pixels(const std::string& topic, const Image& image) const try {
+    return cv_bridge::toCvCopy(image, "bgr8")->image;
+  } catch (const std::exception& e) {  // cv_bridge's, or OpenCV's
+    throw std::runtime_error(name(topic) + ", stamp " + std::to_string(image.header.stamp.toSec()) + ": " + e.what());
+  }
+
   LaserFrame ofCloud(const CloudMessage& message) const {
-    if (!message.fault.empty()) throw std::runtime_error(file_ + ": " + message.fault);
+    if (!message.fault.empty()) throw std::runtime_error(file_ + ", stamp " + std::to_string(message.header.stamp.toSec()) + ": " + message.fault);
     constexpr double kTurn = 0.1;  // [s] of a cloud that tells no times
     LaserFrame out{message.header.frame_id, message.header.stamp.toSec(), 0.0, message.points};
     const core::CloudSweep sweep = core::sweepOf(message.points);
@@ -165,9 +182,14 @@ struct BagCamera {
 inline BagCamera cameraOf(CalibrationBag& bag, const std::string& image, const std::string& camera_info) {
   BagCamera out;
   out.image = bag.topic(image, "--image", {"sensor_msgs/Image", "sensor_msgs/CompressedImage"});
-  const auto info =
-      bag.first<sensor_msgs::CameraInfo>(bag.topic(camera_info, "--camera-info", {"sensor_msgs/CameraInfo"}));
-  out.lens = lensOf(*info), out.frame = info->header.frame_id;
+  const std::string topic = bag.topic(camera_info, "--camera-info", {"sensor_msgs/CameraInfo"});
+  const auto info = bag.first<sensor_msgs::CameraInfo>(topic);
+  try {
+    out.lens = lensOf(*info);
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(bag.name(topic) + ": " + e.what());
+  }
+  out.frame = info->header.frame_id;
   out.size = cv::Size(static_cast<int>(info->width), static_cast<int>(info->height));
   return out;
 }
@@ -180,7 +202,9 @@ inline std::vector<core::Sighting> sightingsOf(CalibrationBag& bag, const BagCam
   bag.pictures(camera.image, [&](double stamp, const cv::Mat& image, std::size_t done, std::size_t all) {
     showProgress(done, all, "pictures");
     if (image.size() != camera.size)
-      throw std::runtime_error(camera.image + " has pictures of another size than camera info says");
+      throw std::runtime_error(bag.name(camera.image) + ", stamp " + std::to_string(stamp) + ": a picture of " +
+                               std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels, camera info says " +
+                               std::to_string(camera.size.width) + " x " + std::to_string(camera.size.height));
     if ((done - 1) % every != 0) return;
     ++seen;
     cv::Mat grey;

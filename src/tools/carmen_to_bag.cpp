@@ -95,7 +95,11 @@ void convert(const Options& o) {
     showProgress(i + 1, lines.size(), "lines");
   }
   bag.finish();
-  std::cout << o.bag << ": " << log.scans.size() << " scans of " << log.scans.front().ranges.size() << " beams\n";
+  const auto [fewest, most] = std::minmax_element(
+      log.scans.begin(), log.scans.end(), [](const auto& a, const auto& b) { return a.ranges.size() < b.ranges.size(); });
+  std::cout << o.bag << ": " << log.scans.size() << " scans of " << fewest->ranges.size();
+  if (most->ranges.size() > fewest->ranges.size()) std::cout << " to " << most->ranges.size();
+  std::cout << " beams\n";
   if (const std::size_t late = lateScans(log); late > 0)
     std::cout << late << " scans are not stamped after the one before: they lie in the bag by their stamps\n";
 }

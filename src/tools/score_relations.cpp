@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -49,8 +50,9 @@ void score(const std::string& poses, const std::string& relations, const core::P
   row("translation, squared", s.squaredTranslation(), 1.0, "m^2");
   row("rotation", s.absoluteRotation(), deg, "deg");
   row("rotation, squared", s.squaredRotation(), deg * deg, "deg^2");
-  std::printf("%-28s %10.6f m (median), %.6f m (mean without the worst, %.3f m)\n", "translation", core::median(s.translation),
-              n > 1.0 ? (mean * n - worst) / (n - 1.0) : core::kNaN, worst);
+  std::printf("%-28s %10.6f m (median)", "translation", core::median(s.translation));
+  if (n > 1.0) std::printf(", %.6f m (mean without the worst, %.3f m)", (mean * n - worst) / (n - 1.0), worst);
+  std::printf("\n");
   if (csv.empty()) return;
   std::ofstream out(csv);
   out << "translation_m,rotation_deg\n";
@@ -73,6 +75,8 @@ int main(int argc, char** argv) {
   app.add_option("--csv", csv, "file to write: the errors of each relation");
   CLI11_PARSE(app, argc, argv);
   try {
+    for (const double v : laser)
+      if (!std::isfinite(v)) throw std::runtime_error("--laser is not finite");
     score(poses, relations, {laser[0], laser[1], core::radians(laser[2])}, csv);
   } catch (const std::exception& e) {
     std::cerr << "score_relations: " << e.what() << "\n";

@@ -120,6 +120,11 @@ TEST_F(DepthScanStage, ImageOfZerosIsNotFree) {
   image_.send(imageOf(std::vector<std::uint16_t>(160 * 120, 0), "16UC1"));
   ASSERT_TRUE(spinUntil([this] { return came(out_); }));
   for (const float range : out_.last->ranges) EXPECT_TRUE(std::isnan(range));
+  EXPECT_TRUE(spinUntil([this] {
+    const auto* status = diagnostics_.of("depth_scan");
+    return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
+           status->message.find("the last depth has no point at all") != std::string::npos;
+  }));
 }
 
 TEST_F(DepthScanStage, DamagedAndUnknownImagesAreDroppedAndNamed) {

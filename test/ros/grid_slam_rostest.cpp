@@ -108,6 +108,10 @@ TEST_F(GridSlamStage, ServicesGiveAndSaveTheMap) {
   ASSERT_TRUE(ros::service::call("dynamic_map", get));
   EXPECT_EQ(get.response.map.data, map_.last->data);
   EXPECT_EQ(core::readMap(folder.path() / "a.yaml").cells, map_.last->data);
+  save.request.file = "a.yaml";
+  ASSERT_TRUE(ros::service::call("save_map", save));
+  EXPECT_FALSE(save.response.success) << "where the node happens to be";
+  EXPECT_NE(save.response.message.find("does not begin at /"), std::string::npos) << save.response.message;
   save.request.file = "/nowhere/a.yaml";
   ASSERT_TRUE(ros::service::call("save_map", save));
   EXPECT_FALSE(save.response.success);
@@ -129,6 +133,10 @@ TEST_F(GridSlamStage, ScansOfAnotherSizeAndBlindOnes) {
   std::fill(blind.ranges.begin(), blind.ranges.end(), core::kFree);
   send(blind);
   EXPECT_LT(off(), 0.1) << "odometry goes on";
+  EXPECT_TRUE(spinUntil([&] {
+    const auto* status = diagnostics_.of("grid_slam");
+    return status && status->message.find("the last scan has no return") != std::string::npos;
+  }));
   auto damaged = (robot_.walk(), scan("laser"));
   damaged.range_max = -1.f;
   send(damaged);

@@ -1,5 +1,6 @@
 // What is told to the stage before it starts: a map to go on from, whether and when to send its transform, other names.
 #include <gtest/gtest.h>
+#include <nav_msgs/GetMap.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <nodelet/NodeletLoad.h>
@@ -139,6 +140,15 @@ TEST_F(GridSlamStart, ATransformHoldsFromItsDelayOn) {
   ASSERT_TRUE(frames_.knows(robot_.now, "map", "base")) << "a scan finds its place at its own stamp";
   const double off = (frames_.at(robot_.now, "map", "base").translation().head<2>() - robot_.truth.position()).norm();
   EXPECT_LT(off, 0.05) << "by the correction of three scans before";
+}
+
+TEST_F(GridSlamStart, ThereIsNoMapBeforeTheFirstScan) {
+  load();
+  nav_msgs::GetMap get;
+  ASSERT_TRUE(ros::service::waitForService("dynamic_map", ros::Duration(20)));
+  EXPECT_FALSE(ros::service::call("dynamic_map", get)) << "rather than a map without cells";
+  ASSERT_TRUE(begins());
+  EXPECT_TRUE(ros::service::call("dynamic_map", get));
 }
 
 TEST_F(GridSlamStart, AnglesByOtherNamesAreRadians) {

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <string>
 
+#include "field_fusion/core/io/map_file.h"
 #include "support/stage_probe.h"
+#include "support/temp_folder.h"
 
 namespace field_fusion::test {
 namespace {
@@ -48,6 +50,21 @@ TEST(Refuse, BrokenRuleNamesItsParameters) {
   const auto outcome = start("filter", "refused_rule", "_min_range:=5.0 _max_range:=2.0");
   EXPECT_NE(outcome.status, 0);
   EXPECT_SAYS(outcome, "min_range must not exceed max_range");
+}
+
+TEST(Refuse, AnotherNameIsNamedAsItWasGiven) {
+  const auto outcome = start("grid_slam", "refused_alias", "_angularUpdate:=100.0");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "angularUpdate: angular_update = ");
+}
+
+TEST(Refuse, MapOfAnotherResolutionIsNamedByItsFile) {
+  const TempFolder folder;
+  const std::string file = (folder.path() / "coarse.yaml").string();
+  core::writeMap(file, {0.2, 0.0, 0.0, 1, 1, {0}});
+  const auto outcome = start("grid_slam", "refused_map", "_map_file:=" + file);
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "map " + file + ": the map's resolution is 0.2");
 }
 
 TEST(Refuse, WholeNumberIsTakenForADouble) {

@@ -37,6 +37,7 @@ class DepthScanFlow {
   boost::shared_ptr<sensor_msgs::LaserScan> run(const CloudMessage& cloud, const TfCache& tf);
 
   const core::DepthScanCounts& counts() const { return counts_; }  ///< of the last scan
+  bool blind() const { return ran_ && counts_.seen == 0; }         ///< the last image or cloud was empty
 
  private:
   core::ScanPlace place(const std_msgs::Header& header, const TfCache& tf);
@@ -46,6 +47,7 @@ class DepthScanFlow {
   core::DepthScanner scanner_;
   core::Scan scan_;
   core::DepthScanCounts counts_;
+  bool ran_ = false;
 };
 
 }  // namespace field_fusion

@@ -1,6 +1,7 @@
 #pragma once
 // From messages of scans and the odometry of TF to a map, and where the robot is in it.
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
+#include <nav_msgs/GetMap.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Float64.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -41,6 +42,8 @@ class SlamFlow {
   boost::shared_ptr<nav_msgs::Path> path() const { return pathMessage(header_, *slam_); }
   boost::shared_ptr<std_msgs::Float64> entropy() const;
 
+  /// Throws std::runtime_error where there is no map yet.
+  void answer(nav_msgs::GetMap::Response& answer);
   void save(const SaveMap::Request& request, SaveMap::Response& answer);
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -56,6 +59,7 @@ class SlamFlow {
   core::LocalMap local_;
   std_msgs::Header header_;
   ros::Time drawn_;  // stamp at which the map last went out
+  bool last_blind_ = false;
   ros::Time misfit_;  // stamp of the last scan that did not fit
   std::uint64_t blind_ = 0, taken_ = 0, misfits_ = 0;
 };

@@ -44,14 +44,7 @@ void check(const Board& board, const std::vector<Sighting>& sightings,
     for (const Eigen::Vector2d& corner : s.corners)
       require(corner.allFinite(), at(s.stamp) + "a corner is not finite");
   }
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const ImuReading& r = readings[i];
-    require(std::isfinite(r.stamp), "a stamp of the inertial unit is not finite");
-    require(i == 0 || r.stamp > readings[i - 1].stamp,
-            at(r.stamp) + "a reading does not come after the one before");
-    require(r.rate.allFinite() && r.force.allFinite(),
-            at(r.stamp) + "a reading of the inertial unit is not finite");
-  }
+  checkReadings(readings);
 }
 
 /// Over a gap the spline would follow nothing.
@@ -96,6 +89,17 @@ double CameraImuCalibration::translationSigma() const {
   return std::sqrt(covariance.diagonal().segment<3>(3).sum());
 }
 double CameraImuCalibration::offsetSigma() const { return std::sqrt(covariance(6, 6)); }
+
+void checkReadings(const std::vector<ImuReading>& readings) {
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const ImuReading& r = readings[i];
+    require(std::isfinite(r.stamp), "a stamp of the inertial unit is not finite");
+    require(i == 0 || r.stamp > readings[i - 1].stamp,
+            at(r.stamp) + "a reading does not come after the one before");
+    require(r.rate.allFinite() && r.force.allFinite(),
+            at(r.stamp) + "a reading of the inertial unit is not finite");
+  }
+}
 
 CameraImuCalibration calibrateCameraImu(const Board& board, const CameraLens& lens,
                                         const std::vector<Sighting>& sightings,

@@ -215,10 +215,14 @@ std::vector<CameraPlace> cameraPlaces(const Board& board, const CameraLens& lens
 CameraImuStart startCameraImu(const std::vector<CameraPlace>& places, const std::vector<ImuReading>& readings,
                               const CameraImuOptions& options) {
   const auto turns = turnsOf(places);
-  if (turns.size() < kFewest)
-    throw std::runtime_error("too short: " + std::to_string(turns.size()) +
-                             " turns between pictures of the board, " + std::to_string(kFewest) +
-                             " at least are needed");
+  if (turns.size() < kFewest) {
+    char text[250];
+    std::snprintf(text, sizeof text,
+                  "too few pictures of the board follow one another within %.2f s: %zu turns between them, %zu at least "
+                  "are needed (%zu pictures in %.1f s)",
+                  kLongest, turns.size(), kFewest, places.size(), places.back().stamp - places.front().stamp);
+    throw std::runtime_error(text);
+  }
   refuseDull(turns);
   const RateIntegral gyro(readings);
   const double offset = bestOffset(turns, gyro, options.max_offset);

@@ -46,6 +46,8 @@ Meaning readMeaning(const fs::path& file) {
                  node["occupied_thresh"].as<double>(), node["free_thresh"].as<double>(), node["negate"].as<int>() != 0};
   if (!(out.resolution > 0.0 && std::isfinite(out.resolution + out.x + out.y)))
     throw std::runtime_error("resolution or origin is no length");
+  if (!(out.free >= 0.0 && out.free <= out.occupied && out.occupied <= 1.0))  // so written, NaN is a fault
+    throw std::runtime_error("free_thresh and occupied_thresh are not 0 <= free <= occupied <= 1");
   return out;
 }
 

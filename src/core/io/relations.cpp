@@ -16,6 +16,7 @@ void eachRow(const std::filesystem::path& file, const Read& read) {
   eachLine(file, [&read](const std::string& line) {
     std::istringstream words(line);
     if (!read(words)) throw std::runtime_error("'" + line + "'");
+    if (std::string more; words >> more) throw std::runtime_error("'" + line + "' goes on after what belongs there");
   });
 }
 

@@ -119,6 +119,10 @@ TEST(CameraImu, NoneTooFewAndTooShortAreRefused) {
   auto half = motion.sightings;
   half.resize(half.size() / 2);
   EXPECT_THAT(refusal(half, motion.readings), HasSubstr("too short"));
+  std::vector<Sighting> sparse;
+  for (std::size_t i = 0; i < motion.sightings.size(); ++i)
+    if (sparse.empty() || motion.sightings[i].stamp >= sparse.back().stamp + 0.3) sparse.push_back(motion.sightings[i]);
+  EXPECT_THAT(refusal(sparse, motion.readings), HasSubstr("follow one another within 0.25 s: 0 turns"));
   auto elsewhere = motion.sightings;
   for (Sighting& sighting : elsewhere) sighting.stamp += 1000.0;
   EXPECT_THAT(refusal(elsewhere, motion.readings), HasSubstr("overlap for 0.0 s"));

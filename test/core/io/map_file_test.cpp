@@ -78,6 +78,8 @@ TEST(MapFile, FaultsAreNamed) {
   EXPECT_NE(fault(with("resolution: 0.05\n", "")).find("no resolution"), std::string::npos);
   EXPECT_NE(fault(with("0, 0]", "0, 1.5]")).find("turned"), std::string::npos);
   EXPECT_NE(fault(with("0.05", ".nan")).find("no length"), std::string::npos);
+  EXPECT_NE(fault(with("0.65", ".nan")).find("occupied_thresh are not"), std::string::npos);
+  EXPECT_NE(fault(with("0.196", "0.7")).find("free <= occupied"), std::string::npos);
   EXPECT_NE(fault(good + "mode: scale\n").find("mode is scale"), std::string::npos);
   EXPECT_NE(fault("[").find("a.yaml"), std::string::npos);
   folder.write("a.pgm", "P5\n9 9\n255\n\xfe");

@@ -39,7 +39,7 @@ TEST(Relations, ErrorsOfHandMadeOnes) {
 
 TEST(Relations, FaultsAreNamedByFileAndLine) {
   EXPECT_THROW(readRelations("/nowhere"), std::runtime_error);
-  for (const char* bad : {"1 2 3\n", "1 2 x 0 0 0 0 0\n", "a 2 0 0 0 0 0 0\n", "1 2 nan 0 0 0 0 0\n"}) {
+  for (const char* bad : {"1 2 3\n", "1 2 0 0 0 0 0 0 0\n", "1 2 x 0 0 0 0 0\n", "a 2 0 0 0 0 0 0\n", "1 2 nan 0 0 0 0 0\n"}) {
     const auto path = file(std::string("1 2 0 0 0 0 0 0\n") + bad);
     try {
       readRelations(path);
@@ -48,6 +48,11 @@ TEST(Relations, FaultsAreNamedByFileAndLine) {
       EXPECT_NE(std::string(e.what()).find(path.string() + ":2"), std::string::npos) << e.what();
     }
   }
+}
+
+TEST(Relations, AFileOfRelationsIsNoFileOfPoses) {
+  EXPECT_THROW(readPoses(file("1 2 0.5 0 0 0 0 0.1\n")), std::runtime_error);
+  EXPECT_EQ(readPoses(file("1 2 0.5 0.1\n")).size(), 1u);
 }
 
 TEST(Relations, PublishedPosesHaveThePublishedError) {

@@ -40,6 +40,9 @@ struct CameraImuCalibration {
   double offsetSigma() const;       ///< [s]
 };
 
+/// Throws std::invalid_argument for readings that are not finite or not in the order of their stamps.
+void checkReadings(const std::vector<ImuReading>& readings);
+
 /// `sightings`: the corners of each picture that shows the whole board; `readings` of the unit; both in the
 /// order of their stamps. Throws std::invalid_argument for what is not finite or not in order,
 /// std::runtime_error with the reason for a recording that leaves something unknown: too short, a gap in the
