@@ -87,6 +87,47 @@ def test_a_wrong_wish_is_answered_by_what_is_there(bag, arguments, tmp_path):
     assert done.returncode == 1 and BAD[arguments] in done.stderr, done.stdout + done.stderr
 
 
+def changed(bag, file, change):
+    """The bag with messages as `change(topic, message)` leaves them."""
+    with rosbag.Bag(str(bag)) as whole, rosbag.Bag(str(file), "w") as out:
+        for topic, message, stamp in whole.read_messages():
+            change(topic, message)
+            out.write(topic, message, stamp)
+    return file
+
+
+def odd_encoding(topic, message):
+    if topic == "/camera/image_raw":
+        message.encoding = "of_my_own"
+
+
+def no_lens(topic, message):
+    if topic == "/camera/camera_info":
+        message.K = [0.0] * 9
+
+
+def half_a_picture(topic, message):
+    if topic == "/camera/image_raw":
+        message.data = message.data[:len(message.data) // 2]
+
+
+@pytest.mark.parametrize("change, words", [
+    (odd_encoding, "bad.bag: /camera/image_raw, stamp"), (half_a_picture, "bad.bag: /camera/image_raw, stamp"),
+    (no_lens, "bad.bag: /camera/camera_info: camera info is not calibrated"),
+])
+def test_a_damaged_message_is_named_by_bag_and_topic(bag, change, words, tmp_path):
+    done = calibrate(changed(bag, tmp_path / "bad.bag", change), *TOPICS, "--lidar", "/lidar/points", "--out", tmp_path / "out")
+    assert done.returncode == 1 and words in done.stderr, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("tool", ["calibrate_lidar_camera", "calibrate_camera_imu"])
+def test_what_is_no_bag_is_named(tool, tmp_path):
+    text = tmp_path / "a.bag"
+    text.write_text("no bag\n")
+    done = rosrun(tool, text, "--board", calibration_world.BOARD)
+    assert done.returncode == 1 and f"{text} is no bag that can be read" in done.stderr, done.stderr
+
+
 def test_a_board_in_two_poses_is_refused(bag, tmp_path):
     short = tmp_path / "short.bag"
     with rosbag.Bag(str(bag)) as whole, rosbag.Bag(str(short), "w") as out:
