@@ -2,10 +2,9 @@
 
 #include <boost/make_shared.hpp>
 
-#include <filesystem>
-
 #include "field_fusion/core/map/particle_weights.h"
 #include "field_fusion/ros/recording.h"
+#include "field_fusion/ros/save_map.h"
 #include "field_fusion/ros/scan_message.h"
 
 namespace field_fusion {
@@ -95,13 +94,8 @@ void SlamFlow::answer(nav_msgs::GetMap::Response& answer) {
   answer.map = *drawn;
 }
 
-void SlamFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) try {
-  if (!std::filesystem::path(request.file).is_absolute())
-    throw std::runtime_error("'" + request.file + "' does not begin at /: a node has no folder of yours");
-  core::writeMap(request.file, drawer_.update(slam_->best().map));
-  answer.success = true;
-} catch (const std::runtime_error& e) {
-  answer.message = e.what();
+void SlamFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) {
+  saveMap(request, answer, [this](const std::string& file) { core::writeMap(file, drawer_.update(slam_->best().map)); });
 }
 
 boost::shared_ptr<std_msgs::Float64> SlamFlow::entropy() const {

@@ -4,6 +4,7 @@
 #include "field_fusion/core/io/octree_file.h"
 #include "field_fusion/ros/depth_message.h"
 #include "field_fusion/ros/grid_message.h"
+#include "field_fusion/ros/save_map.h"
 #include "field_fusion/ros/voxel_markers.h"
 
 namespace field_fusion {
@@ -69,11 +70,8 @@ boost::shared_ptr<visualization_msgs::MarkerArray> VoxelFlow::voxels() const {
   return voxelMarkers(header_, *map_);
 }
 
-void VoxelFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) const try {
-  core::writeOctree(request.file, *map_);
-  answer.success = true;
-} catch (const std::runtime_error& e) {
-  answer.message = e.what();
+void VoxelFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) const {
+  saveMap(request, answer, [this](const std::string& file) { core::writeOctree(file, *map_); });
 }
 
 void VoxelFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
