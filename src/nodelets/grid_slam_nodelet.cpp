@@ -24,7 +24,7 @@ class GridSlamNodelet : public StageNodelet<SlamStageParams> {
   }
 
   void onParams() override { flow_.setParams(params()); }
-  void onTimeJump() override { flow_.reset(); }
+  void onTimeJump() override { flow_.onTimeJump(); }
 
   void onScan(const sensor_msgs::LaserScan& scan) {
     const auto news = flow_.run(scan, tf());

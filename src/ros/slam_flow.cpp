@@ -10,14 +10,27 @@
 namespace field_fusion {
 namespace {
 
+constexpr double kMostTilt = 20.0;  // [deg] of a scanner
+
 /// Throws std::runtime_error with the file's name.
-core::TileMap loadedMap(const std::string& file, const core::GridSlamParams& p) {
+core::TileMap loadedMap(const std::string& file, const core::GridSlamParams& p, const core::Pose2& start) {
   const core::Occupancy map = core::readMap(file);
   try {
+    const double x = (start.x - map.x) / map.resolution, y = (start.y - map.y) / map.resolution;
+    if (!(x >= 0.0 && x < map.width && y >= 0.0 && y < map.height))
+      throw std::runtime_error("start_x and start_y lie outside of it");
     return core::tileMapOf(map, p.resolution, static_cast<float>(p.occupied));
   } catch (const std::exception& e) {
     throw std::runtime_error("map " + file + ": " + e.what());
   }
+}
+
+/// Throws std::runtime_error for a scanner that does not look along the robot's floor: its map would be nonsense.
+void requireFlat(const core::Transform& T_base_sensor, const std::string& frame) {
+  const double tilt = core::degrees(std::acos(std::min(1.0, std::abs(T_base_sensor.linear()(2, 2)))));
+  if (tilt > kMostTilt)
+    throw std::runtime_error("the scanner " + frame + " is tilted by " + std::to_string(std::lround(tilt)) +
+                             " deg: it must lie in the plane of base_frame, upside down or not");
 }
 
 constexpr double kMisfitShown = 10.0;  // [s, stamps] that a scan which does not fit keeps the status at WARN
@@ -33,14 +46,14 @@ void SlamFlow::setParams(const SlamStageParams& params) {
   broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   drawer_ = core::OccupancyDrawer(params.slam.resolution);
   if (!params.map_file.empty())
-    loaded_ = loadedMap(params.map_file, params.slam);
+    loaded_ = loadedMap(params.map_file, params.slam, params.start().mean);
   reset();
 }
 
 void SlamFlow::reset() {
   params_.map_file.empty() ? slam_->reset() : slam_->reset(loaded_, params_.start());
   drawer_.reset(), local_.clear();
-  last_blind_ = false;
+  last_blind_ = jumped_ = false;
   header_ = {}, drawn_ = {}, misfit_ = {};
   header_.frame_id = params_.map_frame;
 }
@@ -51,6 +64,9 @@ bool SlamFlow::ready(const std_msgs::Header& header, const TfCache& tf) const {
 
 SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCache& tf) {
   const core::Transform T_base_sensor = tf.lookup(params_.base_frame, message.header);
+  requireFlat(T_base_sensor, message.header.frame_id);
+  if (jumped_ && message.header.stamp <= header_.stamp) reset();
+  jumped_ = false;
   const core::Pose2 T_odom_base = core::flat(tf.lookup(params_.odom_frame, params_.base_frame, message.header.stamp));
   const core::SlamScan scan = core::slamScan(scanOf(message), T_base_sensor, limitsOf(params_.slam));
   using Outcome = core::GridSlam::Outcome;

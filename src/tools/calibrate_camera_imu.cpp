@@ -8,6 +8,7 @@
 #include "calibration_bag.h"
 #include "calibration_output.h"
 #include "field_fusion/core/calib/camera_imu.h"
+#include "within.h"
 
 namespace {
 
@@ -68,7 +69,6 @@ void run(Options& options) {
   const BagCamera camera = cameraOf(bag, options.image, options.camera_info);
   std::string frame;
   const auto readings = bag.readings(topic, frame);
-  core::checkReadings(readings);  // before the pictures are looked at, which takes minutes
   std::size_t seen = 0;
   const auto sightings = sightingsOf(bag, camera, board, options.every, seen);
   std::cout << seen << " pictures, the whole board in " << sightings.size() << "\n";
@@ -95,7 +95,7 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::ExistingFile);
   app.add_option("--max-offset", options.solver.max_offset, "by which the clocks differ at most [s]")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 10.0));
+      ->check(within(0.0, 10.0));
   app.add_option("--every", options.every, "looks at one of so many pictures")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

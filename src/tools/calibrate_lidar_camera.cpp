@@ -9,6 +9,7 @@
 #include "field_fusion/core/calib/board_returns.h"
 #include "field_fusion/core/calib/rest.h"
 #include "progress.h"
+#include "within.h"
 
 namespace {
 
@@ -116,6 +117,9 @@ class Calibrator {
   void printSize(const core::Calibration& found) const {
     constexpr double kAnyScanner = 0.01, kSure = 5.0;  // no scanner's ranges are off by so large a factor; sigmas
     const auto [factor, sigma] = core::rangeFactor(board_, camera_.lens, measured_, found, options_.noise);
+    if (!(options_.noise.offset_sigma > 0.0 || options_.noise.scale_sigma > 0.0))
+      std::printf("the ranges were taken as they are: what is wrong with all of them alike is not in these deviations (see "
+                  "--range-offset, --range-scale)\n");
     std::printf("ranges over the board's distances: %.4f +- %.4f\n", factor, sigma);
     if (std::abs(factor - 1.0) > std::max(kAnyScanner, kSure * sigma))
       std::printf("WARNING: squares of %.4g m, not of %.4g as --board says, would fit the ranges: measure them\n",
@@ -181,15 +185,15 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--scans", options.scans, "of each pose, at most")->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--rest", options.rest.duration, "for which the board rests at least [s]")
-      ->capture_default_str()->check(CLI::Range(0.0, 60.0));
+      ->capture_default_str()->check(within(0.0, 60.0));
   app.add_option("--reach", options.search.reach, "by which the start may be wrong at the board [m]")
-      ->capture_default_str()->check(CLI::Range(0.01, 2.0));
+      ->capture_default_str()->check(within(0.01, 2.0));
   app.add_option("--range-offset", options.noise.offset_sigma,
                  "finds each laser's range offset too; how large to expect it [m] (0.01 where no number follows)")
-      ->expected(0, 1)->default_str("0.01")->check(CLI::Range(0.0, 1.0));
+      ->expected(0, 1)->default_str("0.01")->check(within(0.0, 1.0));
   app.add_option("--range-scale", options.noise.scale_sigma,
                  "finds a scale error of the ranges too; how large to expect it (0.003 where no number follows)")
-      ->expected(0, 1)->default_str("0.003")->check(CLI::Range(0.0, 0.1));
+      ->expected(0, 1)->default_str("0.003")->check(within(0.0, 0.1));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "field_fusion/core/calib/camera_imu.h"
 #include "field_fusion/core/cloud/deskew.h"
 #include "field_fusion/ros/cloud_message.h"
+#include "field_fusion/ros/scan_message.h"
 #include "progress.h"
 
 namespace field_fusion {
@@ -90,17 +91,32 @@ class CalibrationBag {
       out.push_back({imu->header.stamp.toSec(), {w.x, w.y, w.z}, {a.x, a.y, a.z}});
       frame = imu->header.frame_id;
     }
+    try {
+      core::checkReadings(out);
+    } catch (const std::invalid_argument& e) {
+      throw std::runtime_error(name(topic) + ", " + e.what());
+    }
+    requireFrame(topic, frame);
     return out;
   }
 
   void frames(const std::string& topic, const std::function<void(const LaserFrame&)>& take) {
     rosbag::View view(bag_, rosbag::TopicQuery(topic));
+    const auto given = [&](const LaserFrame& frame) {
+      requireFrame(topic, frame.frame);
+      take(frame);
+    };
     for (const rosbag::MessageInstance& m : view) {
       if (const auto scan = m.instantiate<sensor_msgs::LaserScan>())
-        take(ofScan(*scan));
+        given(ofScan(topic, *scan));
       else if (const auto cloud = m.instantiate<CloudMessage>())
-        take(ofCloud(*cloud));
+        given(ofCloud(topic, *cloud));
     }
+  }
+
+  /// What is found could not be told where one of the sensors has no frame.
+  void requireFrame(const std::string& topic, const std::string& frame) const {
+    if (frame.empty()) throw std::runtime_error(name(topic) + ": header.frame_id is empty");
   }
 
   /// T_target_source by /tf_static; nothing where it does not link them.
@@ -126,8 +142,13 @@ class CalibrationBag {
     throw std::runtime_error(name(topic) + ", stamp " + std::to_string(image.header.stamp.toSec()) + ": " + e.what());
   }
 
-  LaserFrame ofCloud(const CloudMessage& message) const {
-    if (!message.fault.empty()) throw std::runtime_error(file_ + ", stamp " + std::to_string(message.header.stamp.toSec()) + ": " + message.fault);
+  void refuse(const std::string& topic, const std_msgs::Header& header, const std::string& fault) const {
+    if (!fault.empty())
+      throw std::runtime_error(name(topic) + ", stamp " + std::to_string(header.stamp.toSec()) + ": " + fault);
+  }
+
+  LaserFrame ofCloud(const std::string& topic, const CloudMessage& message) const {
+    refuse(topic, message.header, message.fault);
     constexpr double kTurn = 0.1;  // [s] of a cloud that tells no times
     LaserFrame out{message.header.frame_id, message.header.stamp.toSec(), 0.0, message.points};
     const core::CloudSweep sweep = core::sweepOf(message.points);
@@ -135,7 +156,8 @@ class CalibrationBag {
     return out;
   }
 
-  static LaserFrame ofScan(const sensor_msgs::LaserScan& scan) {
+  LaserFrame ofScan(const std::string& topic, const sensor_msgs::LaserScan& scan) const {
+    refuse(topic, scan.header, core::faultOf(scanOf(scan)));
     LaserFrame out{scan.header.frame_id, scan.header.stamp.toSec(), 0.0, {}};
     out.end = out.begin + static_cast<double>(scan.time_increment) * static_cast<double>(scan.ranges.size());
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -158,6 +180,8 @@ class CalibrationBag {
 /// Throws std::runtime_error for a camera that was never calibrated or has a lens of another model.
 inline core::CameraLens lensOf(const sensor_msgs::CameraInfo& info) {
   core::CameraLens lens{{info.K[0], info.K[4], info.K[2], info.K[5]}, {}};
+  for (const double k : info.K)
+    if (!std::isfinite(k)) throw std::runtime_error("camera info is not finite: K");
   if (!lens.pinhole.known()) throw std::runtime_error("camera info is not calibrated: K has no focal lengths");
   const bool straight = std::all_of(info.D.begin(), info.D.end(), [](double d) { return d == 0.0; });
   if (!straight && info.distortion_model != "plumb_bob" && info.distortion_model != "rational_polynomial")
@@ -190,6 +214,7 @@ inline BagCamera cameraOf(CalibrationBag& bag, const std::string& image, const s
     throw std::runtime_error(bag.name(topic) + ": " + e.what());
   }
   out.frame = info->header.frame_id;
+  bag.requireFrame(topic, out.frame);
   out.size = cv::Size(static_cast<int>(info->width), static_cast<int>(info->height));
   return out;
 }

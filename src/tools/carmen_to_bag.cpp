@@ -12,6 +12,7 @@
 #include "field_fusion/ros/recording.h"
 #include "field_fusion/ros/scan_message.h"
 #include "progress.h"
+#include "within.h"
 
 namespace {
 
@@ -112,10 +113,10 @@ int main(int argc, char** argv) {
   app.add_option("log", o.log, "FLASER, ROBOTLASER1 or RAWLASER1 lines, and ODOM")->required();
   app.add_option("bag", o.bag, "file to write")->required();
   app.add_option("--laser", o.laser, "X Y YAW [m m deg] of the scanner on the robot (default: as the log says)")
-      ->expected(3)->check(CLI::Range(-1e6, 1e6));
+      ->expected(3)->check(within(-1e6, 1e6));
   app.add_option("--max-range", o.max_range, "[m] of the scanner, where the log does not say")->capture_default_str()
-      ->check(CLI::Range(0.1, 1000.0));
-  app.add_option("--start", o.start, "[s] added to every stamp")->check(CLI::Range(-4e9, 4e9));
+      ->check(within(0.1, 1000.0));
+  app.add_option("--start", o.start, "[s] added to every stamp")->check(within(-4e9, 4e9));
   app.add_flag("--logger-stamps", o.logger_stamps, "the stamps of the logger, not of who measured");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -20,6 +21,7 @@ using namespace field_fusion;
 bool isCarmen(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot read " + file);
+  if (in.peek() == 0x1f || std::filesystem::is_directory(file)) return false;  // whoever reads it says what it is
   for (std::string line; std::getline(in, line);)
     if (!line.empty() && line[0] != '#') return std::isalpha(static_cast<unsigned char>(line[0])) != 0;
   throw std::runtime_error(file + " is empty");

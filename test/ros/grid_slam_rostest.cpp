@@ -188,5 +188,31 @@ TEST_F(GridSlamStage, MissingTransformIsNamedAndABagMayLoop) {
   EXPECT_EQ(path_.last->poses.size(), 1u) << "the map is a new one";
 }
 
+TEST_F(GridSlamStage, AStampFromTheFutureCostsNoMap) {
+  ASSERT_TRUE(begins());
+  ASSERT_TRUE(steps(8));
+  ASSERT_TRUE(spinUntil([this] { return path_.last && path_.last->header.stamp == ros::Time(now_); }));
+  const std::size_t before = path_.last->poses.size();
+  const ros::Time last = path_.last->header.stamp;
+  auto late = scan("laser");
+  late.header.stamp += ros::Duration(1000.0);
+  scan_.send(late);
+  ASSERT_TRUE(askUntil([&] { return path_.last->header.stamp == ros::Time(now_) && path_.last->header.stamp > last; },
+                       [&] { robot_.walk(), send(scan("laser")); }));
+  EXPECT_GT(path_.last->poses.size(), before);
+}
+
+TEST_F(GridSlamStage, AScannerOutOfThePlaneIsRefused) {
+  core::Transform upright = core::Transform::Identity();
+  upright.linear() = Eigen::AngleAxisd(core::radians(90.0), Eigen::Vector3d::UnitX()).toRotationMatrix();
+  frames_.sendStatic("base", "upright", upright);
+  ASSERT_TRUE(begins());
+  robot_.walk(), send(scan("upright"));
+  EXPECT_TRUE(spinUntil([&] {
+    const auto* status = diagnostics_.of("grid_slam");
+    return status && status->message.find("the scanner upright is tilted by 90 deg") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace field_fusion::test

@@ -67,6 +67,15 @@ TEST(Refuse, MapOfAnotherResolutionIsNamedByItsFile) {
   EXPECT_SAYS(outcome, "map " + file + ": the map's resolution is 0.2");
 }
 
+TEST(Refuse, StartOutsideOfTheMapIsNamed) {
+  const TempFolder folder;
+  const std::string file = (folder.path() / "small.yaml").string();
+  core::writeMap(file, {0.05, 0.0, 0.0, 1, 1, {0}});
+  const auto outcome = start("grid_slam", "refused_start", "_map_file:=" + file + " _start_x:=500.0");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_SAYS(outcome, "map " + file + ": start_x and start_y lie outside of it");
+}
+
 TEST(Refuse, WholeNumberIsTakenForADouble) {
   const auto outcome = start("filter", "taken_int", "_max_range:=20 _typo:=1");
   EXPECT_SAYS(outcome, "typo is not a parameter of this stage");

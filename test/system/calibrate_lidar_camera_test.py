@@ -116,8 +116,13 @@ def half_a_picture(topic, message):
         message.data = message.data[:len(message.data) // 2]
 
 
+def no_frame(topic, message):
+    if topic == "/camera/camera_info":
+        message.header.frame_id = ""
+
+
 @pytest.mark.parametrize("change, words", [
-    (odd_encoding, "bad.bag: /camera/image_raw, stamp"), (half_a_picture, "bad.bag: /camera/image_raw, stamp"),
+    (no_frame, "bad.bag: /camera/camera_info: header.frame_id is empty"), (odd_encoding, "bad.bag: /camera/image_raw, stamp"), (half_a_picture, "bad.bag: /camera/image_raw, stamp"),
     (no_lens, "bad.bag: /camera/camera_info: camera info is not calibrated"),
 ])
 def test_a_damaged_message_is_named_by_bag_and_topic(bag, change, words, tmp_path):
@@ -131,6 +136,21 @@ def test_what_is_no_bag_is_named(tool, tmp_path):
     text.write_text("no bag\n")
     done = rosrun(tool, text, "--board", calibration_world.BOARD)
     assert done.returncode == 1 and f"{text} is no bag that can be read" in done.stderr, done.stderr
+
+
+def spoilt(topic, message):
+    if topic == "/scan/scan":
+        message.angle_increment = float("nan")
+
+
+def test_a_damaged_scan_is_no_fault_of_the_board(bag, tmp_path):
+    done = calibrate(changed(bag, tmp_path / "bad.bag", spoilt), *TOPICS, "--lidar", "/scan/scan", "--out", tmp_path / "out")
+    assert done.returncode == 1 and "bad.bag: /scan/scan, stamp" in done.stderr, done.stdout + done.stderr
+
+
+def test_a_number_that_is_none_is_refused(bag, tmp_path):
+    done = calibrate(bag, *TOPICS, "--lidar", "/lidar/points", "--rest", "nan", "--out", tmp_path)
+    assert done.returncode != 0 and "not finite" in done.stdout + done.stderr
 
 
 def test_a_board_in_two_poses_is_refused(bag, tmp_path):

@@ -30,6 +30,9 @@ class SlamFlow {
   void setParams(const SlamStageParams& params);
   bool ready(const std_msgs::Header& header, const TfCache& tf) const;
   void reset();
+  /// Time went back: the map begins anew with the next scan, unless that is newer than all that the map has. A single stamp
+  /// from the future, of a scan that was dropped, must not cost hours of mapping.
+  void onTimeJump() { jumped_ = true; }
 
   /// Takes a scan in, where the robot has moved, and sends map_frame to odom_frame. Throws std::runtime_error "scan
   /// damaged: ..." or where a transform is missing.
@@ -59,7 +62,7 @@ class SlamFlow {
   core::LocalMap local_;
   std_msgs::Header header_;
   ros::Time drawn_;  // stamp at which the map last went out
-  bool last_blind_ = false;
+  bool last_blind_ = false, jumped_ = false;
   ros::Time misfit_;  // stamp of the last scan that did not fit
   std::uint64_t blind_ = 0, taken_ = 0, misfits_ = 0;
 };

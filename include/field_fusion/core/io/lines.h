@@ -13,6 +13,8 @@ template <class Read>
 void eachLine(const std::filesystem::path& file, const Read& read) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot read " + file.string());
+  if (std::filesystem::is_directory(file)) throw std::runtime_error(file.string() + " is a folder");
+  if (in.peek() == 0x1f) throw std::runtime_error(file.string() + " is compressed: unpack it first (gunzip)");
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     if (line.empty() || line[0] == '#' || line.find_first_not_of(" \t\r") == std::string::npos) continue;

@@ -20,7 +20,7 @@ struct GridSlamParams {
   double min_score = 0.0;
   double resample_threshold = 0.5;
   double occupied = 0.25;
-  double max_speed = 20.0;
+  double max_speed = 10.0;
   double max_turn_rate = 180.0;
   int path_length = 100000;
   MotionNoise motion;
@@ -54,7 +54,8 @@ struct GridSlamParams {
     p.number("occupied", occupied, {0.01, 0.99}, "", When::kStart,
              "Share of hits from which a cell is a wall for the matching.");
     p.number("max_speed", max_speed, {0.1, 1000.0}, "m/s", When::kLive,
-             "Odometry that leaves more than 0.75 m beyond it between two scans has jumped: taken as no step.");
+             "Odometry that leaves more than 0.75 m beyond it between two scans has jumped: taken as no step. Lower it where "
+             "scans are far apart and the robot is slow.");
     p.number("max_turn_rate", max_turn_rate, {1.0, 100000.0}, "deg/s", When::kLive,
              "Likewise of turns, beyond 60 degrees.");
     p.number("path_length", path_length, {10, 100000000}, "scans", When::kLive,
