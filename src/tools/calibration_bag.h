@@ -157,7 +157,11 @@ class CalibrationBag {
   }
 
   LaserFrame ofScan(const std::string& topic, const sensor_msgs::LaserScan& scan) const {
-    refuse(topic, scan.header, core::faultOf(scanOf(scan)));
+    try {
+      scanOf(scan);
+    } catch (const std::runtime_error& e) {
+      refuse(topic, scan.header, e.what());
+    }
     LaserFrame out{scan.header.frame_id, scan.header.stamp.toSec(), 0.0, {}};
     out.end = out.begin + static_cast<double>(scan.time_increment) * static_cast<double>(scan.ranges.size());
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
