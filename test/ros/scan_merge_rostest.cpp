@@ -127,5 +127,17 @@ TEST_F(ScanMergeStage, DamagedScanIsDroppedAndABagMayLoop) {
   EXPECT_TRUE(works());
 }
 
+TEST_F(ScanMergeStage, AStampFromTheFutureIsToldAndSendsNoTransform) {
+  ASSERT_TRUE(works());
+  const double after = now_;
+  now_ = ros::Time::now().toSec() + 1000.0;
+  next();
+  scan_.send(scanAt(now_, "laser", 5.f, core::kFree));
+  EXPECT_TRUE(warns("stamp is ahead of the clock by"));
+  EXPECT_FALSE(frames_.knows(now_, "base", "scan_plane"));
+  now_ = after;
+  EXPECT_TRUE(works());
+}
+
 }  // namespace
 }  // namespace field_fusion::test
