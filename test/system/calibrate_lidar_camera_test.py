@@ -122,7 +122,8 @@ def no_frame(topic, message):
 
 
 @pytest.mark.parametrize("change, words", [
-    (no_frame, "bad.bag: /camera/camera_info: header.frame_id is empty"), (odd_encoding, "bad.bag: /camera/image_raw, stamp"), (half_a_picture, "bad.bag: /camera/image_raw, stamp"),
+    (no_frame, "bad.bag: /camera/camera_info: header.frame_id is empty"),
+    (odd_encoding, "bad.bag: /camera/image_raw, stamp"), (half_a_picture, "bad.bag: /camera/image_raw, stamp"),
     (no_lens, "bad.bag: /camera/camera_info: camera info is not calibrated"),
 ])
 def test_a_damaged_message_is_named_by_bag_and_topic(bag, change, words, tmp_path):
