@@ -12,6 +12,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "open_bag.h"
 #include "progress.h"
 #include "yolo_labels.h"
 
@@ -87,11 +88,7 @@ fs::path folderIn(const Options& options, const char* what) {
 
 void extract(const Options& options) {
   rosbag::Bag bag;
-  try {
-    bag.open(options.bag);
-  } catch (const rosbag::BagException& e) {
-    throw std::runtime_error(options.bag + " is no bag that can be read: " + e.what());
-  }
+  openBag(bag, options.bag);
   const std::string topic = imageTopic(bag, options.topic);
   LabelFiles labels;
   if (!options.labels.empty()) labels = readLabels(bag, options.labels, options.classes, options.limits);

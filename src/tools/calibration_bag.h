@@ -20,6 +20,7 @@
 #include "field_fusion/core/cloud/deskew.h"
 #include "field_fusion/ros/cloud_message.h"
 #include "field_fusion/ros/scan_message.h"
+#include "open_bag.h"
 #include "progress.h"
 
 namespace field_fusion {
@@ -35,11 +36,7 @@ class CalibrationBag {
  public:
   /// Throws std::runtime_error where the file is no bag.
   explicit CalibrationBag(const std::string& file) : file_(file) {
-    try {
-      bag_.open(file);
-    } catch (const rosbag::BagException& e) {
-      throw std::runtime_error(file + " is no bag that can be read: " + e.what());
-    }
+    openBag(bag_, file);
     rosbag::View all(bag_);
     for (const rosbag::ConnectionInfo* c : all.getConnections()) types_[c->topic] = c->datatype;
   }
