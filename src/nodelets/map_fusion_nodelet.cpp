@@ -15,7 +15,8 @@ class MapFusionNodelet : public StageNodelet<FusionStageParams> {
     onParams();
     fused_ = output<nav_msgs::OccupancyGrid>("fused_map", true);
     local_ = output<nav_msgs::OccupancyGrid>("fused_local_map");
-    input<nav_msgs::OccupancyGrid>("map", [this](const auto& map) { flow_.addMap(*map), send(); });
+    auto& map = input<nav_msgs::OccupancyGrid>("map", [this](const auto& map) { flow_.addMap(*map), send(); });
+    map.optional = true;  // no new one comes of a robot that stands
     input<nav_msgs::OccupancyGrid>("projected_map",
                                    [this](const auto& map) { flow_.addProjected(*map), send(); });
   }

@@ -33,7 +33,7 @@ void requireFlat(const core::Transform& T_base_sensor, const std::string& frame)
                              " deg: it must lie in the plane of base_frame, upside down or not");
 }
 
-constexpr double kMisfitShown = 10.0;  // [s, stamps] that a scan which does not fit keeps the status at WARN
+constexpr double kShown = 10.0;  // [s, stamps] that a mishap keeps the status at WARN
 
 core::ScanLimits limitsOf(const core::GridSlamParams& p) { return {p.min_range, p.usable_range, p.max_range}; }
 
@@ -54,7 +54,7 @@ void SlamFlow::reset() {
   params_.map_file.empty() ? slam_->reset() : slam_->reset(loaded_, params_.start());
   drawer_.reset(), local_.clear();
   last_blind_ = jumped_ = false;
-  header_ = {}, drawn_ = {}, misfit_ = {};
+  header_ = {}, drawn_ = {}, misfit_ = {}, odometry_jump_ = {};
   header_.frame_id = params_.map_frame;
 }
 
@@ -69,10 +69,12 @@ SlamFlow::News SlamFlow::run(const sensor_msgs::LaserScan& message, const TfCach
   jumped_ = false;
   const core::Pose2 T_odom_base = core::flat(tf.lookup(params_.odom_frame, params_.base_frame, message.header.stamp));
   const core::SlamScan scan = core::slamScan(scanOf(message), T_base_sensor, limitsOf(params_.slam));
+  const auto jumps = slam_->odometryJumps();
   using Outcome = core::GridSlam::Outcome;
   const Outcome outcome =
       slam_->process(scan, T_odom_base, static_cast<std::int64_t>(message.header.stamp.toNSec()));
   header_.stamp = message.header.stamp;
+  if (slam_->odometryJumps() != jumps) odometry_jump_ = header_.stamp;
   last_blind_ = scan.hits.empty();
   if (outcome == Outcome::kBlind) ++blind_;
   if (outcome != Outcome::kProcessed && !slam_->best().path) return {};
@@ -122,8 +124,9 @@ boost::shared_ptr<std_msgs::Float64> SlamFlow::entropy() const {
 
 void SlamFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  if (slam_->odometryJumps() > 0) status.mergeSummary(DiagnosticStatus::WARN, "odometry has jumped");
-  if (!misfit_.isZero() && (header_.stamp - misfit_).toSec() < kMisfitShown)
+  const auto isRecent = [&](const ros::Time& at) { return !at.isZero() && (header_.stamp - at).toSec() < kShown; };
+  if (isRecent(odometry_jump_)) status.mergeSummary(DiagnosticStatus::WARN, "odometry has jumped");
+  if (isRecent(misfit_))
     status.mergeSummary(DiagnosticStatus::WARN, "a scan did not fit the map: has the robot been carried?");
   if (last_blind_) status.mergeSummary(DiagnosticStatus::WARN, "the last scan has no return between min_range and maxUrange");
   status.add("scans taken into the map", taken_);

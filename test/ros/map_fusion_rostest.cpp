@@ -108,6 +108,18 @@ TEST_F(MapFusionStage, WithoutTheCameraMapAGoesOnAndThatIsSaid) {
   EXPECT_LT(cell(1), 50);
 }
 
+TEST_F(MapFusionStage, ARobotThatStandsMakesNoNewMapAAndNobodyIsAlarmed) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  const auto stands = ros::WallTime::now();
+  EXPECT_TRUE(spinUntil(
+      [&] {
+        const auto* status = diagnostics_.of("map_fusion");
+        return (ros::WallTime::now() - stands).toSec() > 2.5 && status &&
+               status->message.find("nothing new") == std::string::npos;
+      },
+      [&] { now_ += 0.1, b_.send(grid({-1, 97, -1, -1})); }));
+}
+
 TEST_F(MapFusionStage, MapsOfAnotherFrameOrResolutionAreRefusedAndNothingIsLost) {
   ASSERT_TRUE(begins({100, 0, 0, -1}));
   now_ += 0.1;

@@ -63,7 +63,7 @@ class SlamFlow {
   std_msgs::Header header_;
   ros::Time drawn_;  // stamp at which the map last went out
   bool last_blind_ = false, jumped_ = false;
-  ros::Time misfit_;  // stamp of the last scan that did not fit
+  ros::Time misfit_, odometry_jump_;  // stamps of the last scan that did not fit, and after a jump
   std::uint64_t blind_ = 0, taken_ = 0, misfits_ = 0;
 };
 
