@@ -85,8 +85,9 @@ def _seed(experiment, seed):
     if experiment.given.out:
         import quad_stack_pictures  # matplotlib only where a picture is asked for
 
-        quad_stack_pictures.alone(drawn, truth, bodies, experiment.folder / f"quadruped_alone_{seed}.png")
-        quad_stack_pictures.stack(drawn, truth, experiment.folder / f"quadruped_stack_{seed}.png")
+        shown = [body for body in bodies if body.name in ALONE]
+        quad_stack_pictures.alone(drawn, truth, shown, FORMS, experiment.folder / f"quadruped_alone_{seed}.png")
+        quad_stack_pictures.stack(drawn, truth, MAPS, experiment.folder / f"quadruped_stack_{seed}.png")
     experiment.done(bag)
     return rows
 

@@ -6,31 +6,30 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 import poses  # noqa: E402
-import quad_stack  # noqa: E402
 
 AROUND = 0.5  # m about the middle of a body that stands alone
 STACK = (1.0, 5.6), (-2.8, 3.5)  # m, x and y in the world
 OUTLINE, SEEN = "tab:orange", "red"
 
 
-def alone(drawn, truth, bodies, file):
-    """A row for each body, a column for each of FORMS. Red: the true outline that some sensor could see, orange: the rest."""
-    shown = [body for body in bodies if body.name in quad_stack.ALONE]
-    figure, axes = pyplot.subplots(len(shown), len(quad_stack.FORMS), figsize=(3 * len(quad_stack.FORMS), 3 * len(shown)))
-    for body, row in zip(shown, axes):
+def alone(drawn, truth, bodies, titles, file):
+    """A row for each body, a column for each of `titles` {form: title}. Red: the true outline that some sensor could see, orange: the rest."""
+    figure, axes = pyplot.subplots(len(bodies), len(titles), figsize=(3 * len(titles), 3 * len(bodies)))
+    for body, row in zip(bodies, axes):
         middle = body.T_world_box[:2, 3]
-        for axis, (form, title) in zip(row, quad_stack.FORMS.items()):
+        for axis, (form, title) in zip(row, titles.items()):
             _draw(axis, drawn[form], truth)
             axis.set(xlim=(middle[0] - AROUND, middle[0] + AROUND), ylim=(middle[1] - AROUND, middle[1] + AROUND), xticks=[], yticks=[])
-            if body is shown[0]:
+            if body is bodies[0]:
                 axis.set_title(title)
         row[0].set_ylabel(body.name)
     _save(figure, file)
 
 
-def stack(drawn, truth, file):
-    figure, axes = pyplot.subplots(1, len(quad_stack.MAPS), figsize=(5 * len(quad_stack.MAPS), 7))
-    for axis, (form, title) in zip(axes, quad_stack.MAPS.items()):
+def stack(drawn, truth, titles, file):
+    """A column for each of `titles`."""
+    figure, axes = pyplot.subplots(1, len(titles), figsize=(5 * len(titles), 7))
+    for axis, (form, title) in zip(axes, titles.items()):
         _draw(axis, drawn[form], truth)
         axis.set(xlim=STACK[0], ylim=STACK[1], title=title, xlabel="x [m]")
     axes[0].set_ylabel("y [m]      black: occupied; red: true outline that could be seen; orange: the rest")
