@@ -1,7 +1,7 @@
 # Messages, the ROS layer, the nodelets and the tools.
 find_package(catkin REQUIRED COMPONENTS
   camera_info_manager cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs image_geometry image_transport
-  message_filters message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs roslib sensor_msgs std_msgs tf2_eigen tf2_msgs tf2_ros
+  message_filters message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs roslib sensor_msgs std_msgs std_srvs tf2_eigen tf2_msgs tf2_ros
   visualization_msgs)
 
 file(GLOB messages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/msg msg/*.msg)

@@ -7,18 +7,6 @@
 #include "field_fusion/ros/recording.h"
 
 namespace field_fusion {
-namespace {
-
-/// tf2 ignores what is older than the newest transform of a frame: one stamp from the future would silence this frame for
-/// everybody. Without a clock (simulated, not running yet) nothing is known.
-void refuseFuture(const ros::Time& stamp) {
-  constexpr double kAhead = 10.0;  // [s] by which clocks on a robot may differ
-  const ros::Time now = ros::Time::now();
-  if (now.isZero() || (stamp - now).toSec() < kAhead) return;
-  throw std::runtime_error("stamp is ahead of the clock by " + std::to_string(std::lround((stamp - now).toSec())) + " s");
-}
-
-}  // namespace
 
 void LevelFrame::setParams(const LevelParams& params) {
   if (!broadcaster_) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
@@ -31,7 +19,6 @@ bool LevelFrame::ready(const std_msgs::Header& header, const TfCache& tf) const 
 }
 
 core::Transform LevelFrame::send(const ros::Time& stamp, const TfCache& tf) {
-  refuseFuture(stamp);
   const bool level = params_.up_frame.empty();
   const auto T_up_base =
       level ? core::Transform::Identity() : tf.lookup(params_.up_frame, params_.base_frame, stamp);

@@ -113,7 +113,11 @@ void SlamFlow::answer(nav_msgs::GetMap::Response& answer) {
 }
 
 void SlamFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) {
-  saveMap(request, answer, [this](const std::string& file) { core::writeMap(file, drawer_.update(slam_->best().map)); });
+  saveMap(request, answer, [this](const std::string& file) {
+    const core::Occupancy& drawn = drawer_.update(slam_->best().map);
+    if (drawn.cells.empty()) throw std::runtime_error("there is no map yet");
+    core::writeMap(file, drawn);
+  });
 }
 
 boost::shared_ptr<std_msgs::Float64> SlamFlow::entropy() const {

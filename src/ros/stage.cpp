@@ -3,6 +3,7 @@
 #include <image_transport/image_transport.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "field_fusion/ros/params_io.h"
 
@@ -108,9 +109,10 @@ ros::WallTimer Stage::every(double seconds, std::function<void()> work) {
   return timers_.back();
 }
 
-void Stage::onSubscribersChanged() try {
+void Stage::onSubscribersChanged(bool wants_latched) try {
   const std::lock_guard<std::mutex> lock(mutex_);
   updateSubscriptions();
+  if (wants_latched && !stopped_) onListener();
 } catch (const std::exception& e) {  // an image transport whose library is missing
   NODELET_FATAL_STREAM("cannot subscribe: " << e.what());
 }
@@ -128,7 +130,7 @@ void Stage::updateSubscriptions() {
   subscribed_ = wanted;
   for (auto& port : inputs_) {
     port.subscription = wanted ? link(port) : nullptr;
-    port.order.reset();
+    port.order.reset(), port.ahead.reset();
     port.last_seq = 0;
     port.last_arrival = ros::WallTime::now();
   }
@@ -137,14 +139,14 @@ void Stage::updateSubscriptions() {
 
 void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damage) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto stamp = arrival.message.stamp;
+  const auto stamp = arrival.message.stamp, before = port.last.stamp;
   ++port.received;
   port.missing += gapBefore(arrival.seq, port.last_seq);
   port.last_seq = arrival.seq;
   port.last_arrival = arrival.at;
   port.last = arrival.message;
   if (!damage.empty()) return fault(port, stamp, damage);
-  if (!inOrder(port, arrival)) return;
+  if (!inOrder(port, before, arrival)) return;
   if (!waits(port) && (!arrival.ready || arrival.ready())) {
     handle(port, arrival);
     return release();  // what waits on another input may have waited for this
@@ -176,17 +178,22 @@ void Stage::release() {
   if (held_.empty()) hold_timer_.stop();
 }
 
-bool Stage::inOrder(InputPort& port, const Arrival& arrival) {
+bool Stage::inOrder(InputPort& port, const ros::Time& before, const Arrival& arrival) {
   const ros::Time& stamp = arrival.message.stamp;
   if (stamp.isZero()) {
     fault(port, stamp, "stamp is zero");
     return false;
   }
-  switch (port.order.check(static_cast<std::int64_t>(stamp.toNSec()), arrival.revision)) {
+  const auto nanoseconds = [](const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); };
+  if (const double ahead = port.ahead.check(nanoseconds(stamp), nanoseconds(ros::Time::now())); ahead > 0.0) {
+    fault(port, stamp, "stamp is ahead of the clock: by " + std::to_string(std::lround(ahead)) + " s");
+    return false;
+  }
+  switch (port.order.check(nanoseconds(stamp), arrival.revision)) {
     case core::StampOrder::Verdict::kNewer:
       return true;
     case core::StampOrder::Verdict::kTimeJump:
-      jump(port, stamp);
+      jump(port, before, stamp);
       return true;
     case core::StampOrder::Verdict::kOutOfOrder:
       fault(port, stamp, "stamp out of order: not newer than the last");
@@ -195,14 +202,14 @@ bool Stage::inOrder(InputPort& port, const Arrival& arrival) {
   return false;
 }
 
-void Stage::jump(InputPort& port, const ros::Time& stamp) {
+void Stage::jump(InputPort& port, const ros::Time& before, const ros::Time& stamp) {
   ++time_jumps_;
-  NODELET_WARN_STREAM("time jumped back to " << stamp << " on " << port.topic << ": state is cleared");
+  NODELET_WARN_STREAM("time jumped back from " << before << " to " << stamp << " on " << port.topic << ": state is cleared");
   for (auto& other : inputs_)
     if (&other != &port) other.order.reset();  // they follow, and the state is cleared only once
   held_.clear();
   tf_->onTimeJump();
-  onTimeJump();
+  attempt(port, stamp, [this] { onTimeJump(); });
 }
 
 void Stage::handle(InputPort& port, const Arrival& arrival) {

@@ -20,10 +20,20 @@ void VoxelFlow::setParams(const VoxelStageParams& params) {
 }
 
 void VoxelFlow::reset() {
-  map_ = std::make_unique<core::VoxelMap>(params_.map);
+  clear();
   if (!params_.map_file.empty()) core::readOctree(params_.map_file, *map_);
-  header_ = {}, map_sent_ = {}, voxels_sent_ = {};
+}
+
+void VoxelFlow::clear() {
+  map_ = std::make_unique<core::VoxelMap>(params_.map);
+  header_ = {}, map_sent_ = {}, voxels_sent_ = {}, counts_ = {};
   header_.frame_id = params_.map_frame;
+}
+
+std_msgs::Header VoxelFlow::header() const {
+  auto out = header_;
+  if (out.stamp.isZero()) out.stamp = ros::Time::now();  // what was loaded is older than any cloud
+  return out;
 }
 
 void VoxelFlow::run(const CloudMessage& cloud, const TfCache& tf) { insert(cloud.points, cloud.header, tf); }
@@ -67,14 +77,21 @@ boost::shared_ptr<nav_msgs::OccupancyGrid> VoxelFlow::projected() const {
 }
 
 boost::shared_ptr<visualization_msgs::MarkerArray> VoxelFlow::voxels() const {
-  return voxelMarkers(header_, *map_);
+  return voxelMarkers(header(), *map_);
 }
 
 void VoxelFlow::save(const SaveMap::Request& request, SaveMap::Response& answer) const {
-  saveMap(request, answer, [this](const std::string& file) { core::writeOctree(file, *map_); });
+  saveMap(request, answer, [this](const std::string& file) {
+    if (!hasMap()) throw std::runtime_error("there is no voxel yet");
+    core::writeOctree(file, *map_);
+  });
 }
 
 void VoxelFlow::describe(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  if (!header_.stamp.isZero() && counts_.points == 0)
+    status.mergeSummaryf(diagnostic_msgs::DiagnosticStatus::WARN,
+                         "the last cloud has no usable point: finite, and within %.0f m of the map's origin",
+                         core::kMostVoxels * params_.map.resolution);
   status.add("last cloud: points", counts_.points);
   status.add("last cloud: of them beyond the range", counts_.far);
   status.add("last cloud: unusable", counts_.unusable);

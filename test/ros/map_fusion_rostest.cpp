@@ -2,9 +2,15 @@
 // on a robot.
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <std_srvs/Empty.h>
 
+#include <sstream>
+
+#include "field_fusion/SaveMap.h"
+#include "field_fusion/core/io/map_file.h"
 #include "support/frames.h"
 #include "support/stage_probe.h"
+#include "support/temp_folder.h"
 
 namespace field_fusion::test {
 namespace {
@@ -48,6 +54,12 @@ class MapFusionStage : public testing::Test {
       const auto* status = diagnostics_.of("map_fusion");
       return status && status->message.find(words) != std::string::npos;
     });
+  }
+
+  std::string stampText() const {
+    std::ostringstream out;
+    out << ros::Time(now_);
+    return out.str();
   }
 
   bool counts(const std::string& kind) {
@@ -145,6 +157,85 @@ TEST_F(MapFusionStage, MapsOfAnotherFrameOrResolutionAreRefusedAndNothingIsLost)
   EXPECT_GE(cell(0), 50);
   EXPECT_LT(cell(1), 50);
   EXPECT_GE(cell(2), 50);
+}
+
+TEST_F(MapFusionStage, MapASaysWhichFrameAndResolutionAreRight) {
+  auto coarse = grid({97, 97});
+  coarse.info.resolution = 0.1f;
+  ASSERT_TRUE(askUntil([this] { return came(); }, [&] { now_ += 0.1, coarse.header.stamp.fromSec(now_), b_.send(coarse); }));
+  now_ += 0.1;
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  EXPECT_FLOAT_EQ(fused_.last->info.resolution, 0.05f);
+  EXPECT_GE(cell(0), 50);
+  EXPECT_LT(cell(1), 50) << "nothing of map B is left";
+  now_ += 0.1, coarse.header.stamp.fromSec(now_), b_.send(coarse);
+  EXPECT_TRUE(counts("resolution differs"));
+}
+
+TEST_F(MapFusionStage, AMapThatIsEmptyOrWithoutAFrameSettlesNothing) {
+  auto empty = grid({}, "");
+  empty.info.width = empty.info.height = 0;
+  a_.send(empty);
+  now_ += 0.1, b_.send(grid({97}, ""));
+  EXPECT_TRUE(counts("frame missing"));
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  EXPECT_EQ(fused_.last->header.frame_id, "map");
+}
+
+TEST_F(MapFusionStage, AStampFromTheFutureStopsNothing) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  auto late = grid({100, 100, 0, -1});
+  late.header.stamp = ros::Time::now() + ros::Duration(3600.0);
+  a_.send(late);
+  EXPECT_TRUE(says("stamp is ahead of the clock: by 3600 s"));
+  now_ += 0.1;
+  ASSERT_TRUE(sendB(grid({-1, -1, 97, -1})));
+  EXPECT_LT(cell(1), 50);
+  EXPECT_GE(cell(2), 50);
+}
+
+TEST_F(MapFusionStage, AMapFarAwayIsRefused) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  auto far = grid({97, 97, 97, 97});
+  far.info.origin.position.x = 500.0;
+  now_ += 0.1, far.header.stamp.fromSec(now_), b_.send(far);
+  EXPECT_TRUE(counts("map too far"));
+  EXPECT_LT(fused_.last->info.width, 1000u);
+}
+
+TEST_F(MapFusionStage, WhoComesLateGetsTheMapAsItIs) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  now_ += 0.1;
+  ASSERT_TRUE(sendB(grid({-1, 97, -1, -1})));
+  fused_.leave(), local_.leave();
+  now_ += 0.1, b_.send(grid({-1, -1, 97, -1}));
+  ASSERT_TRUE(spinUntil([this] { return diagnostics_.value("map_fusion", "projected_map: last message").find(stampText()) == 0; }));
+  Received<nav_msgs::OccupancyGrid> late("fused_map");
+  EXPECT_TRUE(spinUntil([&] { return late.last && late.last->header.stamp == ros::Time(now_); }));
+}
+
+TEST_F(MapFusionStage, IsSavedAndForgottenWhenAsked) {
+  ASSERT_TRUE(begins({100, 0, 0, -1}));
+  now_ += 0.1;
+  ASSERT_TRUE(sendB(grid({-1, 97, -1, -1})));
+  const TempFolder folder;
+  SaveMap save;
+  save.request.file = (folder.path() / "fused.yaml").string();
+  ASSERT_TRUE(ros::service::call("save_fused_map", save));
+  ASSERT_TRUE(save.response.success) << save.response.message;
+  const core::Occupancy read = core::readMap(save.request.file);
+  const auto at = [&](int x) {
+    const auto u = x - std::lround(read.x / 0.05), v = -std::lround(read.y / 0.05);
+    return read.cells.at(static_cast<std::size_t>(v * read.width + u));
+  };
+  EXPECT_GE(at(0), 50);
+  EXPECT_GE(at(1), 50);
+  EXPECT_LT(at(2), 50);
+  std_srvs::Empty reset;
+  ASSERT_TRUE(ros::service::call("reset_fused_map", reset));
+  ASSERT_TRUE(ros::service::call("save_fused_map", save));
+  EXPECT_FALSE(save.response.success);
+  EXPECT_EQ(save.response.message, "there is no map yet");
 }
 
 TEST_F(MapFusionStage, TheLocalMapIsAboutTheRobot) {

@@ -133,7 +133,7 @@ TEST_F(ScanMergeStage, AStampFromTheFutureIsToldAndSendsNoTransform) {
   now_ = ros::Time::now().toSec() + 1000.0;
   next();
   scan_.send(scanAt(now_, "laser", 5.f, core::kFree));
-  EXPECT_TRUE(warns("stamp is ahead of the clock by"));
+  EXPECT_TRUE(warns("stamp is ahead of the clock: by"));
   EXPECT_FALSE(frames_.knows(now_, "base", "scan_plane"));
   now_ = after;
   EXPECT_TRUE(works());

@@ -3,10 +3,12 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <std_srvs/Empty.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -87,6 +89,10 @@ class VoxelMapStage : public testing::Test {
     const int v = static_cast<int>(std::floor((y - map.info.origin.position.y) / map.info.resolution));
     return map.data.at(static_cast<std::size_t>(v) * map.info.width + u);
   }
+  bool says(const std::string& words) const {
+    const auto* status = diagnostics_.of("voxel_map");
+    return status && status->message.find(words) != std::string::npos;
+  }
   std::string value(const std::string& key) { return diagnostics_.value("voxel_map", key); }
 
   double now_ = 0.0;
@@ -163,6 +169,51 @@ TEST_F(VoxelMapStage, EmptyAndBrokenCloudsAreCountedAndTheNextIsTaken) {
   cloud_.send(wall(0.0));
   ASSERT_TRUE(spinUntil([this] { return came(map_); }));
   ASSERT_TRUE(sees(2.02));
+}
+
+TEST_F(VoxelMapStage, ACameraThatSeesNothingIsTold) {
+  ASSERT_TRUE(sees(2.02));
+  EXPECT_TRUE(spinUntil([this] { return says("no usable point"); }, [this] { next(), cloud_.send(wall(0.0)); }));
+  EXPECT_TRUE(spinUntil([this] { return !says("no usable point"); }, [this] { next(), cloud_.send(wall(2.02)); }));
+}
+
+TEST_F(VoxelMapStage, AStampFromTheFutureCostsNoVoxel) {
+  ASSERT_TRUE(sees(2.02));
+  CloudMessage late = wall(1.02);
+  late.header.stamp = ros::Time::now() + ros::Duration(3600.0);
+  cloud_.send(late);
+  EXPECT_TRUE(spinUntil([this] { return says("stamp is ahead of the clock: by 3600 s"); }));
+  T_map_base_.translation().y() = 3.0;
+  next();
+  ASSERT_TRUE(sees(2.02));
+  EXPECT_GE(cellAt(*map_.last, 2.02, 0.02), 50) << "what was known before";
+}
+
+TEST_F(VoxelMapStage, WhoComesLateGetsTheVoxelsAsTheyAre) {
+  ASSERT_TRUE(sees(2.02));
+  voxels_.leave();
+  T_map_base_ = core::Transform(Eigen::Translation3d(0.0, 5.0, 0.0));
+  next();
+  ASSERT_TRUE(sees(2.02));
+  Received<visualization_msgs::MarkerArray> late("voxels");
+  EXPECT_TRUE(spinUntil([&] {
+    return late.last && std::any_of(late.last->markers[0].points.begin(), late.last->markers[0].points.end(),
+                                    [](const auto& p) { return p.y > 4.0; });
+  }));
+}
+
+TEST_F(VoxelMapStage, IsForgottenWhenAsked) {
+  ASSERT_TRUE(sees(2.02));
+  std_srvs::Empty reset;
+  ASSERT_TRUE(ros::service::call("reset_voxels", reset));
+  SaveMap save;
+  save.request.file = "/tmp/never.ot";
+  ASSERT_TRUE(ros::service::call("save_voxels", save));
+  EXPECT_FALSE(save.response.success);
+  EXPECT_EQ(save.response.message, "there is no voxel yet");
+  next();
+  ASSERT_TRUE(sees(1.02));
+  EXPECT_EQ(cellAt(*map_.last, 2.02, 0.02), -1);
 }
 
 TEST_F(VoxelMapStage, WithoutItsTransformACloudIsDroppedAndItIsSaid) {

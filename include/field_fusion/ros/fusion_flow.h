@@ -3,6 +3,7 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <nav_msgs/OccupancyGrid.h>
 
+#include "field_fusion/SaveMap.h"
 #include "field_fusion/core/map/map_fusion.h"
 #include "field_fusion/ros/tf_cache.h"
 
@@ -36,17 +37,21 @@ class FusionFlow {
   void setParams(const FusionStageParams& params);
   void reset();
 
-  /// Both throw what core::MapFusion throws, and "frame differs: ..." or "map turned: ...".
+  /// Both throw what core::MapFusion throws, and "frame missing: ...", "frame differs: ..." or "map turned: ...". Map A says
+  /// which frame and resolution are right: the first one clears what maps B of others have told.
   void addMap(const nav_msgs::OccupancyGrid& map);
   void addProjected(const nav_msgs::OccupancyGrid& map);
 
+  bool hasMap() const { return maps_ + projected_ > 0; }
   bool isDue();  ///< once for each interval
   boost::shared_ptr<nav_msgs::OccupancyGrid> fused() const;
   /// Null, and it is said in /diagnostics, while TF does not know where the robot is.
   boost::shared_ptr<nav_msgs::OccupancyGrid> local(const TfCache& tf);
+  void save(const SaveMap::Request& request, SaveMap::Response& answer) const;
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
+  bool fits(const nav_msgs::OccupancyGrid& map) const;
   core::Occupancy checked(const nav_msgs::OccupancyGrid& map) const;
   void taken(const nav_msgs::OccupancyGrid& map, double& shift);
 

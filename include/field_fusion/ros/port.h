@@ -50,6 +50,7 @@ struct InputPort {
   std::function<std::shared_ptr<void>()> subscribe;
   std::shared_ptr<void> subscription;  ///< ends with its last holder
   core::RevisionOrder order;
+  core::ClockAhead ahead;
   FaultLog faults;
   core::Latency latency;  ///< from arrival to the end of its processing
   MessageTrace last;

@@ -50,6 +50,7 @@ class Stage : public nodelet::Nodelet {
   virtual void onStart() = 0;   ///< declare outputs, then inputs; throw to refuse to start
   virtual void onParams() {}    ///< live parameters have changed; throw to refuse the change
   virtual void onTimeJump() {}  ///< forget everything that depends on time
+  virtual void onListener() {}  ///< somebody new takes a latched output, which may hold what is no longer so
   virtual void onDiagnostics(diagnostic_updater::DiagnosticStatusWrapper&) {}  ///< add keys
 
   template <class M>
@@ -61,13 +62,14 @@ class Stage : public nodelet::Nodelet {
   /// message to who comes later.
   template <class M>
   Output<M> output(const std::string& topic, bool latched = false) {
-    const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
-      onSubscribersChanged();
+    const ros::SubscriberStatusCallback left = [this](const ros::SingleSubscriberPublisher&) { onSubscribersChanged(false); };
+    const ros::SubscriberStatusCallback came = [this, latched](const ros::SingleSubscriberPublisher&) {
+      onSubscribersChanged(latched);
     };
     auto& port = outputs_.emplace_back();
     const std::lock_guard<std::mutex> linking(linkMutex());
     auto& nh = topic[0] == '~' ? getPrivateNodeHandle() : getNodeHandle();
-    port.publisher = nh.template advertise<M>(topic.substr(topic[0] == '~'), kQueue, changed, changed, {}, latched);
+    port.publisher = nh.template advertise<M>(topic.substr(topic[0] == '~'), kQueue, came, left, {}, latched);
     return Output<M>(&port);
   }
 
@@ -165,12 +167,12 @@ class Stage : public nodelet::Nodelet {
   InputPort& addInput(const std::string& topic);
   void onInit() final;
   void start();
-  void onSubscribersChanged();
+  void onSubscribersChanged(bool wants_latched);
   static std::shared_ptr<void> link(const InputPort& port);
   void updateSubscriptions();
   void onArrival(InputPort& port, Arrival arrival, const std::string& damage);
-  bool inOrder(InputPort& port, const Arrival& arrival);
-  void jump(InputPort& port, const ros::Time& stamp);
+  bool inOrder(InputPort& port, const ros::Time& before, const Arrival& arrival);
+  void jump(InputPort& port, const ros::Time& before, const ros::Time& stamp);
   void handle(InputPort& port, const Arrival& arrival);
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);
   bool serve(const std::string& name, const std::function<void()>& work);

@@ -53,7 +53,7 @@ struct VoxelStageParams {
     p.number("projected_size", projected_size, {0.0, 1000.0}, "m", core::When::kLive,
              "Side of the projected map, about the sensor; 0: all that is known.");
     p.text("map_file", map_file, core::When::kStart,
-           "Voxels to go on from, .ot or .bt as OctoMap writes them; empty: none.");
+           "Voxels to go on from, .ot or .bt as OctoMap writes them; empty: none. Of them, too, only those in `window` are kept.");
     p.rule([this] { return !map_frame.empty(); }, "map_frame must have a name");
   }
 };
@@ -67,7 +67,8 @@ class VoxelFlow {
     return tf.has(params_.map_frame, header) &&
            (params_.base_frame.empty() || tf.has(params_.map_frame, params_.base_frame, header.stamp));
   }
-  void reset();
+  void reset();  ///< begins anew, with map_file; throws std::runtime_error where that cannot be read, and is empty then
+  void clear();  ///< forgets all voxels
 
   /// Both throw std::runtime_error where the transform is missing; the second also without a usable CameraInfo,
   /// and what withDepth throws.
@@ -79,7 +80,8 @@ class VoxelFlow {
   bool voxelsAreDue() { return isDue(voxels_sent_, params_.voxels_interval); }
   boost::shared_ptr<nav_msgs::OccupancyGrid> projected() const;
   boost::shared_ptr<visualization_msgs::MarkerArray> voxels() const;
-  const std_msgs::Header& header() const { return header_; }
+  bool hasMap() const { return map_->store().size() > 0; }
+  std_msgs::Header header() const;
   const core::VoxelMap& map() const { return *map_; }
 
   void save(const SaveMap::Request& request, SaveMap::Response& answer) const;

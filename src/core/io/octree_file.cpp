@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "field_fusion/core/base/params_text.h"
+#include "field_fusion/core/base/types.h"
 #include "field_fusion/core/io/replace_file.h"
 
 namespace field_fusion::core {
@@ -33,6 +34,7 @@ class Walk {
 
   /// A node: its log-odds, a bit for each child, the children.
   void full(int depth) {
+    ++nodes_;
     float log_odds;
     std::memcpy(&log_odds, take(sizeof log_odds), sizeof log_odds);
     if (!std::isfinite(log_odds)) throw std::runtime_error("a node's log-odds are not finite");
@@ -50,6 +52,7 @@ class Walk {
       if ((children >> 2 * i & 3) == 3) binary(depth + 1);
   }
   bool atEnd() const { return at_ == data_.size(); }
+  std::size_t nodes() const { return nodes_; }  ///< of `full`
 
  private:
   static void deeper(int depth) {
@@ -62,7 +65,17 @@ class Walk {
   }
   const std::string& data_;
   std::size_t at_;
+  std::size_t nodes_ = 0;
 };
+
+/// The number that a line of the header gives; NaN without.
+double headerValue(const std::string& header, const std::string& name) {
+  const auto line = header.find("\n" + name + " ");
+  if (line == std::string::npos) return kNaN;
+  double value = kNaN;
+  std::istringstream(header.substr(line + name.size() + 2)) >> value;
+  return value;
+}
 
 void check(const std::string& data, bool binary) {
   const std::string first = binary ? "# Octomap OcTree binary file" : "# Octomap OcTree file";
@@ -72,10 +85,14 @@ void check(const std::string& data, bool binary) {
   const std::string mark = "\ndata\n";
   const auto head = data.find(mark);
   if (head == std::string::npos) throw std::runtime_error("it has no data");
+  const std::string header = data.substr(0, head + 1);
+  if (!(headerValue(header, "res") > 0.0)) throw std::runtime_error("it does not tell the size of its voxels (res)");
   if (data.size() == head + mark.size()) return;  // a tree of nothing
   Walk walk(data, head + mark.size());
   binary ? walk.binary(0) : walk.full(0);
   if (!walk.atEnd()) throw std::runtime_error("it goes on after the tree");
+  if (!binary && headerValue(header, "size") != static_cast<double>(walk.nodes()))
+    throw std::runtime_error("its tree has " + std::to_string(walk.nodes()) + " nodes, not what its header says (size)");
 }
 
 octomap::OcTree treeLike(const VoxelMapParams& p) {
@@ -140,6 +157,7 @@ std::string octreeData(const VoxelMap& map, bool binary) {
 
 void readOctree(const fs::path& file, VoxelMap& map) try {
   const bool binary = isBinary(file);
+  if (fs::is_directory(file)) throw std::runtime_error("it is a folder");
   std::ifstream in(file, std::ios::binary);
   const std::string data((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in.is_open() || in.bad()) throw std::runtime_error("cannot be read");

@@ -77,7 +77,7 @@ CellArea MapFusion::areaOf(const Occupancy& map) {
   return {static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), map.width, map.height};
 }
 
-void MapFusion::cover(const CellArea& wanted) {
+void MapFusion::cover(const CellArea& wanted, double resolution) {
   const bool first = area_.width == 0 || area_.height == 0;
   const auto down = [](int cell) { return cell & ~(kGrain - 1); };
   const auto up = [](int cell) { return (cell + kGrain - 1) & ~(kGrain - 1); };
@@ -87,11 +87,12 @@ void MapFusion::cover(const CellArea& wanted) {
     x0 = std::min(x0, area_.x0), x1 = std::max(x1, area_.x0 + area_.width);
     y0 = std::min(y0, area_.y0), y1 = std::max(y1, area_.y0 + area_.height);
   }
-  if (static_cast<double>(x1 - x0) * (y1 - y0) > kMostCells)
-    throw std::runtime_error("map too far: with it the fused map would have " + std::to_string(x1 - x0) +
-                             " x " + std::to_string(y1 - y0) + " cells");
   const CellArea next = {x0, y0, x1 - x0, y1 - y0};
   if (!first && next.width == area_.width && next.height == area_.height) return;
+  const double longest = resolution * std::max(next.width, next.height);
+  if (longest > params_.max_side || static_cast<double>(next.width) * next.height > kMostCells)
+    throw std::runtime_error("map too far: with it the fused map would be " + std::to_string(std::lround(longest)) +
+                             " m long, of " + std::to_string(next.width) + " x " + std::to_string(next.height) + " cells");
   for (auto* cells : {&a_, &b_, &fused_.cells})
     *cells = moved(*cells, area_.width, area_.height, next.width, next.height, area_.x0 - x0, area_.y0 - y0);
   area_ = next;
@@ -100,17 +101,18 @@ void MapFusion::cover(const CellArea& wanted) {
 void MapFusion::add(Layer& layer, const Occupancy& map, Silence silence) {
   const CellArea part = areaOf(map);
   if (map.cells.empty()) return;
-  cover(part);
+  cover(part, map.resolution);
   if (fused_.width == 0) fused_.resolution = map.resolution;
   fused_.x = area_.x0 * fused_.resolution, fused_.y = area_.y0 * fused_.resolution;
   fused_.width = area_.width, fused_.height = area_.height;
+  const bool forgets = silence == Silence::kForgets;
+  if (forgets) std::fill(layer.begin(), layer.end(), kUnknownCell);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const std::int8_t cell = map.cells[static_cast<std::size_t>(y) * map.width + x];
-      if (cell != kUnknownCell || silence == Silence::kForgets)
-        layer[area_.index(part.x0 + x, part.y0 + y)] = cell;
+      if (cell != kUnknownCell) layer[area_.index(part.x0 + x, part.y0 + y)] = cell;
     }
-  fuse(part);
+  fuse(forgets ? area_ : part);
 }
 
 void MapFusion::fuse(const CellArea& part) {

@@ -77,6 +77,31 @@ TEST(RevisionOrder, JumpOfOneSeriesIsOneJump) {
   EXPECT_EQ(order.check(6 * kSecond, 0), Verdict::kNewer);
 }
 
+TEST(ClockAhead, AStampFarAheadIsNotBelievedUnlessTheOneBeforeWasAsFar) {
+  ClockAhead clock;
+  constexpr std::int64_t kNow = 1000 * kSecond, kTenth = kSecond / 10;
+  EXPECT_EQ(clock.check(kNow, kNow), 0.0);
+  EXPECT_EQ(clock.check(kNow + kSecond, kNow), 0.0) << "exactly at the limit";
+  EXPECT_NEAR(clock.check(kNow + 3600 * kSecond, kNow), 3600.0, 1e-6);
+  EXPECT_EQ(clock.check(kNow + kTenth, kNow), 0.0) << "it was one alone";
+  EXPECT_NEAR(clock.check(kNow + 37 * kSecond, kNow), 37.0, 1e-6);
+  for (int i = 1; i < 50; ++i)
+    EXPECT_EQ(clock.check(kNow + 37 * kSecond + i * kTenth, kNow + i * kTenth), 0.0) << "a sender whose clock is ahead";
+}
+
+TEST(ClockAhead, TheFirstStampIsNoneTheBetterForBeingTheFirst) {
+  ClockAhead clock;
+  EXPECT_GT(clock.check(100 * kSecond, 50 * kSecond), 0.0);
+  EXPECT_EQ(clock.check(50 * kSecond, 50 * kSecond), 0.0);
+}
+
+TEST(ClockAhead, WhatIsOldOrWithoutAClockIsBelieved) {
+  ClockAhead clock;
+  EXPECT_EQ(clock.check(5 * kSecond, 0), 0.0) << "simulated time that has not begun";
+  EXPECT_EQ(clock.check(5 * kSecond, 1000 * kSecond), 0.0) << "a recording";
+  EXPECT_EQ(clock.check(900 * kSecond, 1000 * kSecond), 0.0);
+}
+
 TEST(Latency, EmptyKnowsNothing) {
   const Latency latency;
   EXPECT_TRUE(std::isnan(latency.percentile(0.5)));

@@ -152,6 +152,20 @@ TEST_P(CutOctree, ThatLeadsDownWithoutEndIsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(OctreeFile, CutOctree, testing::Values("a.ot", "a.bt"));
 
+TEST(OctreeFile, AHeaderThatDoesNotFitItsTreeIsRefused) {
+  const test::TempFolder folder;
+  writeOctree(folder.path() / "a.ot", aMap());
+  const std::string bytes = bytesOf(folder.path() / "a.ot");
+  const auto with = [&](const std::string& name, const std::string& value) {
+    const auto at = bytes.find("\n" + name + " ") + 1;
+    return faultOf(folder.write("b.ot", bytes.substr(0, at) + value + bytes.substr(bytes.find('\n', at))));
+  };
+  EXPECT_NE(with("size", "size 3").find("not what its header says (size)"), std::string::npos);
+  EXPECT_NE(with("size", "# none").find("not what its header says (size)"), std::string::npos);
+  for (const char* res : {"res 0", "res -0.05", "res nan", "res abc", "# none"})
+    EXPECT_NE(with("res", res).find("size of its voxels (res)"), std::string::npos) << res;
+}
+
 TEST(OctreeFile, FaultsNameTheFile) {
   const test::TempFolder folder;
   EXPECT_NE(faultOf("/nowhere/a.bt").find("/nowhere/a.bt: cannot be read"), std::string::npos);
@@ -162,7 +176,14 @@ TEST(OctreeFile, FaultsNameTheFile) {
   writeOctree(folder.path() / "a.ot", aMap());
   EXPECT_NE(faultOf(folder.path() / "a.ot", VoxelMap(coarse)).find("of 0.05 m, not 0.1 m"),
             std::string::npos);
-  EXPECT_THROW(writeOctree(folder.path() / "no/a.ot", aMap()), std::runtime_error);
+  std::filesystem::create_directory(folder.path() / "folder.ot");
+  EXPECT_NE(faultOf(folder.path() / "folder.ot").find("it is a folder"), std::string::npos);
+  try {
+    writeOctree(folder.path() / "no/a.ot", aMap());
+    ADD_FAILURE() << "there is no such folder";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("no/a.ot: No such file or directory"), std::string::npos) << e.what();
+  }
   EXPECT_THROW(writeOctree(folder.path() / "a.ply", aMap()), std::runtime_error);
 }
 

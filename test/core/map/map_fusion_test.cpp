@@ -97,6 +97,27 @@ TEST(MapFusion, GrowsInAllDirectionsAndKeepsWhatWasThere) {
   EXPECT_EQ(map.cells.size(), static_cast<std::size_t>(map.width) * map.height);
 }
 
+TEST(MapFusion, AWholeMapThatIsSmallerForgetsWhatLiesBeyondIt) {
+  MapFusion fusion;
+  fusion.addA({0.05, 0.0, 0.0, 3, 1, {100, 100, 100}}, Silence::kForgets);
+  fusion.addB(one(100, 0.05), Silence::kKeeps);
+  fusion.addA(one(0), Silence::kForgets);
+  EXPECT_LT(at(fusion, 0.0), 50);
+  EXPECT_GE(at(fusion, 0.05), 50) << "the other map knows it still";
+  EXPECT_EQ(at(fusion, 0.1), kUnknownCell);
+}
+
+TEST(MapFusion, AMapFarAwayIsRefusedForTheLengthOfBoth) {
+  MapFusionParams params;
+  params.max_side = 100.0;
+  MapFusion fusion(params);
+  fusion.addA(one(100), Silence::kForgets);
+  EXPECT_NO_THROW(fusion.addB(one(100, 90.0), Silence::kKeeps));
+  EXPECT_THROW(fusion.addB(one(100, 110.0), Silence::kKeeps), std::runtime_error);
+  EXPECT_GE(at(fusion, 90.0), 50);
+  EXPECT_LE(fusion.map().width * fusion.map().resolution, 100.0);
+}
+
 TEST(MapFusion, OrderOfTheTwoHasNoSay) {
   MapFusion ab, ba;
   ab.addA(one(80), Silence::kForgets), ab.addB(one(30), Silence::kKeeps);

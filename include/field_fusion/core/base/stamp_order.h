@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -51,6 +52,27 @@ class RevisionOrder {
 
  private:
   std::map<std::uint8_t, StampOrder> order_;
+};
+
+/// Tells stamps of one input that run ahead of the clock by mistake from those of a sender whose clock runs ahead steadily:
+/// such a stamp is believed only where the one before was as far ahead. Believed by mistake, one of them would make all
+/// that follow look like a jump back in time.
+class ClockAhead {
+ public:
+  static constexpr double kMost = 1.0;  ///< [s]
+
+  /// Seconds by which the stamp is ahead; 0 where it is to be believed, or nothing is known of the clock (0).
+  double check(std::int64_t stamp_ns, std::int64_t clock_ns) {
+    if (clock_ns == 0) return 0.0;
+    const double ahead = 1e-9 * static_cast<double>(stamp_ns - clock_ns);
+    const bool believed = ahead <= kMost || (last_ && std::abs(ahead - *last_) <= kMost);
+    last_ = ahead;
+    return believed ? 0.0 : ahead;
+  }
+  void reset() { last_.reset(); }
+
+ private:
+  std::optional<double> last_;  // [s] of the stamp before
 };
 
 }  // namespace field_fusion::core
