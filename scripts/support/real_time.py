@@ -15,12 +15,12 @@ class RealTime(LockStep):
     revisions have 0."""
 
     def __init__(self, *arguments):
-        self.left, self.came = {}, {}
+        self.left, self.came, self.coming = {}, {}, {}
         super().__init__(*arguments)
 
     def clear(self):
         with self.changed:
-            self.left, self.came = {}, {}
+            self.left, self.coming = {}, {}
             for kept in self.answers.values():
                 kept.clear()
 
@@ -33,12 +33,13 @@ class RealTime(LockStep):
             self.left[topic, message.header.stamp] = time.monotonic()
             self.publishers[topic].publish(message)
         with self.changed:
-            self.changed.wait_for(lambda: awaited in self.came, LAST)
+            self.changed.wait_for(lambda: awaited in self.coming, LAST)
+            self.came = dict(self.coming)  # more may come while it is read
 
     def _keep(self, message, topic):
         now = time.monotonic()
         with self.changed:
-            self.came[topic, message.header.stamp, getattr(message, "revision", 0)] = now
+            self.coming[topic, message.header.stamp, getattr(message, "revision", 0)] = now
         super()._keep(message, topic)
 
 
