@@ -15,6 +15,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # before torch
 
 import torch  # noqa: E402
 
+from yolov8.arguments import number  # noqa: E402
 from yolov8.checkpoint import CheckpointError, load, network_of  # noqa: E402
 from yolov8.dataset import DataError, Dataset, class_names  # noqa: E402
 from yolov8.evaluate import CONFIDENCE, OVERLAP, runner, score  # noqa: E402
@@ -27,7 +28,7 @@ def arguments():
     parser.add_argument("model")
     parser.add_argument("data")
     parser.add_argument("--split", default="val")
-    parser.add_argument("--overlap", type=float, default=OVERLAP, help=f"of boxes that suppress each other; {OVERLAP}")
+    parser.add_argument("--overlap", type=number(float, 0, 1), default=OVERLAP, help=f"of boxes that suppress each other; {OVERLAP}")
     parser.add_argument("--figure", default="detector", help="first words of the two figures at the end; detector")
     return parser.parse_args()
 

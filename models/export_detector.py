@@ -31,8 +31,13 @@ def difference(path, network, size):
         outputs = net.forward(net.getUnconnectedOutLayersNames())
         with torch.no_grad():
             wanted = {tuple(m.shape): m.numpy() for m in network(torch.from_numpy(image))}
-        largest = max(largest, *(float(np.abs(found - wanted[found.shape]).max()) for found in outputs))
+        largest = max(largest, *(float(np.abs(found - wanted[found.shape]).max()) for found in outputs), key=_badness)
     return largest
+
+
+def _badness(error):
+    """NaN is worse than any number."""
+    return float("inf") if np.isnan(error) else error
 
 
 def main():
@@ -47,7 +52,10 @@ def main():
         sys.exit(f"export_detector: {fault}")
     network, size = network_of(facts, tensors), args.size or facts["size"]
     part = pathlib.Path(args.out + ".part")
-    export(network, facts["names"], size, part, {"license": "BSD-3-Clause", "author": "The field_fusion authors"})
+    try:
+        export(network, facts["names"], size, part, {"license": "BSD-3-Clause", "author": "The field_fusion authors"})
+    except (OSError, RuntimeError) as fault:
+        sys.exit(f"export_detector: {args.out} cannot be written: {fault}")
     error = difference(part, network, size)
     if not error <= LARGEST_ERROR:
         part.unlink()

@@ -20,10 +20,12 @@ import time
 import yaml
 
 from data import random_world
+from yolov8.arguments import number
 
 CLASSES = pathlib.Path(__file__).with_name("classes.yaml")
 SETS = ("train", "val", "held_out")
 WORLDS_OF_A_SEED = 1_000_000
+PARTIAL = ".partial_"  # of folders in OUT that an interrupted run leaves
 LAST_EXPOSURE = 0.1  # s in which the last picture's message comes
 
 
@@ -44,7 +46,7 @@ def run(*command):
 
 def make_world(out, name, split, seed, frames, programs):
     """Pictures of one world; its file, written last, says that they are all there."""
-    with tempfile.TemporaryDirectory(dir=out) as folder:
+    with tempfile.TemporaryDirectory(dir=out, prefix=PARTIAL) as folder:
         world, bag = pathlib.Path(folder) / f"{name}.yaml", pathlib.Path(folder) / f"{name}.bag"
         random_world.write(world, split, seed)
         seconds = random_world.PAUSE * (frames - 1) + LAST_EXPOSURE
@@ -62,7 +64,14 @@ def jobs_of(out, split, images, seed):
     frames = random_world.FRAMES
     every = [(f"{split}_{i:05d}", split, seed * WORLDS_OF_A_SEED + i, min(frames, images - i * frames))
              for i in range(-(-images // frames))]
-    return [job for job in every if not (out / "worlds" / f"{job[0]}.yaml").exists()]
+    return [job for job in every if not is_there(out, *job)]
+
+
+def is_there(out, name, split, _, frames):
+    """A run that asked for fewer pictures may have left a world half filmed."""
+    files = [out / "worlds" / f"{name}.yaml"] + [out / kind / split / f"{name}_{i:06d}.{ending}" for i in range(frames)
+                                                 for kind, ending in (("images", "jpg"), ("labels", "txt"))]
+    return all(file.exists() for file in files)
 
 
 def make_all(out, jobs, workers, programs):
@@ -98,11 +107,12 @@ def check_seed(out, seed):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("--train", type=int, default=2540, help="pictures")
-    parser.add_argument("--val", type=int, default=300)
-    parser.add_argument("--held-out", type=int, default=400)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    count = number(int, 0)
+    parser.add_argument("--train", type=count, default=2540, help="pictures")
+    parser.add_argument("--val", type=count, default=300)
+    parser.add_argument("--held-out", type=count, default=400)
+    parser.add_argument("--seed", type=count, default=1)
+    parser.add_argument("--jobs", type=number(int, 1), default=os.cpu_count())
     args = parser.parse_args()
     programs = {name: program(name) for name in ("make_bag", "bag_to_images")}
     for split in SETS:
@@ -111,7 +121,7 @@ def main():
     (args.out / "worlds").mkdir(exist_ok=True)
     check_seed(args.out, args.seed)
     write_description(args.out, args.seed)
-    for left in args.out.glob("tmp*"):
+    for left in args.out.glob(f"{PARTIAL}*"):
         shutil.rmtree(left)
     counts = {"train": args.train, "val": args.val, "held_out": args.held_out}
     jobs = [job for split in SETS for job in jobs_of(args.out, split, counts[split], args.seed)]

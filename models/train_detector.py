@@ -19,7 +19,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # before torch: threads tha
 
 import torch  # noqa: E402
 
-from yolov8.arguments import input_size  # noqa: E402
+from yolov8.arguments import input_size, number  # noqa: E402
 from yolov8.checkpoint import CheckpointError, load  # noqa: E402
 from yolov8.dataset import DataError, Dataset  # noqa: E402
 from yolov8.report import Report  # noqa: E402
@@ -32,24 +32,32 @@ def arguments():
     parser.add_argument("data")
     parser.add_argument("out")
     end = parser.add_mutually_exclusive_group()
-    end.add_argument("--epochs", type=int, help="default: 100")
-    end.add_argument("--minutes", type=float, help="of training; as many epochs as fit")
+    end.add_argument("--epochs", type=number(int, 1), help="default: 100")
+    end.add_argument("--minutes", type=number(float, 0, above=True), help="of training; as many epochs as fit")
     parser.add_argument("--resume", action="store_true", help="go on from OUT/last.pt, with its settings")
     parser.add_argument("--weights", metavar="FILE", help="begin with those of a best.pt, last.pt or exported .onnx of the same shape")
     parser.add_argument("--size", type=input_size, default=default["size"], help="of the network's input [px]; 640")
     parser.add_argument("--optimizer", choices=("adamw", "sgd"), default=default["optimizer"])
-    parser.add_argument("--rate", type=float, help="highest learning rate; default: 0.002 for adamw, 0.01 for sgd")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of the CPU; all of them")
+    parser.add_argument("--rate", type=number(float, 0, above=True), help="highest learning rate; default: 0.002 for adamw, 0.01 for sgd")
+    parser.add_argument("--threads", type=number(int, 1), default=len(os.sched_getaffinity(0)), help="of the CPU; all of them")
     parser.add_argument("--bf16", action="store_true", help="16-bit arithmetic: faster on GPUs, slower on most CPUs")
+    whole, part, positive = number(int, 1), number(float, 0, 1), number(float, 0, 4, above=True)
+    kinds = {"width": positive, "depth": positive, "batch": whole, "seed": number(int, 0), "validate": whole, "workers": whole}
     for name, help_text in (("width", "share of the channels: 0.25 is YOLOv8n"), ("depth", "share of the blocks: 1/3 is YOLOv8n"),
                             ("batch", "images a step"), ("seed", "of weights and samples"),
                             ("mosaic", "share of samples made of four images"),
                             ("plain", "last share of the training, without mosaics"),
                             ("cuttings", "first share of the training, on quarters of images around bodies"),
                             ("validate", "epochs from one validation to the next"), ("workers", "threads that make batches")):
-        parser.add_argument(f"--{name}", type=type(default[name]), default=default[name],
+        parser.add_argument(f"--{name}", type=kinds.get(name, part), default=default[name],
                             help=f"{help_text}; {default[name]:g}")
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.resume:
+        given = {word.split("=")[0] for word in sys.argv[1:] if word.startswith("--")} - {"--resume", "--threads"}
+        if given:
+            parser.error(f"--resume goes on with the settings of OUT/last.pt; it does not take {', '.join(sorted(given))}. "
+                         "To train on with others, name a new OUT and --weights OUT/last.pt")
+    return args
 
 
 def settings_of(args):
@@ -99,8 +107,10 @@ def main():
     torch.set_num_threads(args.threads)
     try:
         training = started(args)
-    except (DataError, CheckpointError, ValueError) as fault:
+    except (DataError, CheckpointError, ValueError, OSError) as fault:
         sys.exit(f"train_detector: {fault}")
+    except KeyboardInterrupt:
+        sys.exit("train_detector: interrupted before it began")
     stop_by_signal(training)
     try:
         training.run()
@@ -108,6 +118,8 @@ def main():
         sys.exit(f"\ntrain_detector: interrupted; --resume goes on from {training.out / 'last.pt'}")
     except FloatingPointError as fault:
         sys.exit(f"train_detector: {fault}")
+    if training.best < 0:
+        sys.exit(f"train_detector: no body to find in {args.data}/images/val: nothing tells which weights are best; {training.out / 'last.pt'} has the last")
     print(f"done: {training.out / 'best.pt'}, mAP50-95 {training.best:.3f}")
 
 

@@ -12,3 +12,14 @@ def input_size(text):
     if len(size) != 2 or any(side <= 0 or side % 32 for side in size):
         raise argparse.ArgumentTypeError(f"'{text}' is not one or two multiples of 32, as 640 or 640x480")
     return size
+
+
+def number(kind, low, high=float("inf"), above=False):
+    """An argument's type: a whole number (int) or any (float) from `low`, or `above` it, to `high`."""
+    def read(text):
+        value = kind(text)  # argparse tells of a ValueError
+        if not (low < value if above else low <= value) or not value <= high:
+            raise argparse.ArgumentTypeError(f"{text} is not {'above' if above else 'from'} {low:g}{'' if high == float('inf') else f' to {high:g}'}")
+        return value
+    read.__name__ = kind.__name__
+    return read

@@ -24,6 +24,7 @@ void CameraFeed::reset() {
 
 void CameraFeed::add(const sensor_msgs::CameraInfo& info) {
   if (file_) return;
+  model_.reset();  // what is refused does not leave the one before in use
   model_ = std::make_shared<const CameraModel>(info);
   if (model_->stamp() == image_stamp_) stamped_alike_ = true;
 }

@@ -13,6 +13,16 @@ bool finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
+/// Some drivers leave R at zero.
+bool isRotation(const boost::array<double, 9>& r) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      const double product = r[3 * i] * r[3 * j] + r[3 * i + 1] * r[3 * j + 1] + r[3 * i + 2] * r[3 * j + 2];
+      if (std::abs(product - (i == j)) > 1e-3) return false;
+    }
+  return true;
+}
+
 /// The info as image_geometry reads it; throws where it does not describe a camera.
 sensor_msgs::CameraInfo checked(sensor_msgs::CameraInfo info) {
   const auto focal = [](double fx, double fy) { return std::to_string(fx) + " and " + std::to_string(fy); };
@@ -32,6 +42,8 @@ sensor_msgs::CameraInfo checked(sensor_msgs::CameraInfo info) {
     info.distortion_model = "plumb_bob";
     info.D.assign(5, 0.0);
     info.P = {info.K[0], 0, info.K[2], 0, 0, info.K[4], info.K[5], 0, 0, 0, 1, 0};
+  } else if (!isRotation(info.R)) {
+    throw std::runtime_error("camera info is not calibrated: R is no rotation (of a single camera it is the identity)");
   }
   return info;
 }
@@ -55,6 +67,9 @@ CameraModel::CameraModel(const sensor_msgs::CameraInfo& info)
     throw std::runtime_error("camera info has a distortion that is not understood: model '" +
                              info.distortion_model + "' with " + std::to_string(info.D.size()) + " numbers");
   }
+  const auto at = [this](double x, double y) { return model_.rectifyPoint({x * width_, y * height_}); };
+  if (!(at(0.25, 0.5).x < at(0.75, 0.5).x && at(0.5, 0.25).y < at(0.5, 0.75).y))
+    throw std::runtime_error("camera info has a distortion that turns the image inside out: D, K, R and P do not belong together");
 }
 
 core::Pinhole CameraModel::pinhole() const { return {model_.fx(), model_.fy(), model_.cx(), model_.cy()}; }

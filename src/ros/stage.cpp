@@ -53,6 +53,7 @@ void Stage::onInit() try {
 } catch (const std::exception& e) {
   NODELET_FATAL_STREAM("not started: " << e.what());  // the loader itself tells nobody
   announceRefusal(e.what());
+  stop();  // now: the loader takes the callback queues away before it destroys the stage
   throw;
 }
 
@@ -147,7 +148,7 @@ void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damag
   port.last = arrival.message;
   if (!damage.empty()) return fault(port, stamp, damage);
   if (!inOrder(port, before, arrival)) return;
-  if (!waits(port) && (!arrival.ready || arrival.ready())) {
+  if (!waits(port) && isReady(arrival)) {
     handle(port, arrival);
     return release();  // what waits on another input may have waited for this
   }
@@ -164,13 +165,20 @@ bool Stage::waits(const InputPort& port) const {
   return std::any_of(held_.begin(), held_.end(), [&](const Held& held) { return held.port == &port; });
 }
 
+/// Where that cannot even be asked, the handler will say why.
+bool Stage::isReady(const Arrival& arrival) try {
+  return !arrival.ready || arrival.ready();
+} catch (const std::exception&) {
+  return true;
+}
+
 void Stage::release() {
   const auto now = ros::WallTime::now();
   std::deque<Held> still;  // an input's messages keep their order: behind one that waits, all wait
   held_.swap(still);
   for (auto& held : still) {
     const bool expired = (now - held.arrival.at).toSec() >= stage_params_.hold_limit;
-    if (!waits(*held.port) && (expired || !held.arrival.ready || held.arrival.ready()))
+    if (!waits(*held.port) && (expired || isReady(held.arrival)))
       handle(*held.port, held.arrival);
     else
       held_.push_back(std::move(held));

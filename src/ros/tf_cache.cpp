@@ -17,6 +17,8 @@ std::shared_ptr<TfCache> TfCache::shared() {
 
 core::Transform TfCache::lookup(const std::string& target, const std::string& source,
                                 const ros::Time& stamp) const {
+  if (target.empty() || source.empty())
+    throw std::runtime_error("frame missing: frame_id is empty, so there is no transform");
   if (target == source) return core::Transform::Identity();
   try {
     const auto transform = buffer_.lookupTransform(target, source, stamp);
@@ -31,7 +33,8 @@ core::Transform TfCache::lookup(const std::string& target, const std::string& so
 }
 
 bool TfCache::has(const std::string& target, const std::string& source, const ros::Time& stamp) const {
-  return target == source || buffer_.canTransform(target, source, stamp);
+  const bool never = target.empty() || source.empty();  // nothing to wait for: lookup says so
+  return never || target == source || buffer_.canTransform(target, source, stamp);
 }
 
 void TfCache::onTimeJump() {

@@ -6,6 +6,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -49,10 +50,14 @@ std::string imageTopic(const rosbag::Bag& bag, const std::string& wanted) {
   return wanted.empty() ? types.begin()->first : wanted;
 }
 
+struct Unwritable : std::runtime_error {
+  explicit Unwritable(const fs::path& file) : std::runtime_error("cannot write " + file.string()) {}
+};
+
 void writeBytes(const fs::path& file, const std::uint8_t* bytes, std::size_t size) {
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+  if (!out.flush()) throw Unwritable(file);
 }
 
 void writeJpeg(const fs::path& file, const cv::Mat& bgr, int quality) {
@@ -62,16 +67,29 @@ void writeJpeg(const fs::path& file, const cv::Mat& bgr, int quality) {
 }
 
 bool isJpeg(const std::vector<std::uint8_t>& bytes) {
-  return bytes.size() > 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
+  return bytes.size() > 4 && bytes[0] == 0xff && bytes[1] == 0xd8;
 }
 
-/// A picture that is JPEG already stays as it is to the byte.
+/// A camera may pad its JPEG with zeros; one that is cut off has no end.
+bool isWhole(const std::vector<std::uint8_t>& jpeg) {
+  const auto last = std::find_if(jpeg.rbegin(), jpeg.rend(), [](std::uint8_t byte) { return byte != 0; });
+  return jpeg.rend() - last > 4 && *last == 0xd9 && *(last + 1) == 0xff;
+}
+
+/// A picture that is JPEG already stays as it is to the byte. Throws std::exception for what is none.
 void writePicture(const fs::path& file, const rosbag::MessageInstance& message, int quality) {
-  if (const auto image = message.instantiate<sensor_msgs::Image>())
+  if (const auto image = message.instantiate<sensor_msgs::Image>()) {
+    if (image->width == 0 || image->height == 0) throw std::runtime_error("it has no pixels");
     return writeJpeg(file, cv_bridge::toCvShare(image, "bgr8")->image, quality);
+  }
   const auto packed = message.instantiate<sensor_msgs::CompressedImage>();
-  if (isJpeg(packed->data)) return writeBytes(file, packed->data.data(), packed->data.size());
-  writeJpeg(file, cv_bridge::toCvCopy(*packed, "bgr8")->image, quality);
+  if (!isJpeg(packed->data)) {
+    const cv::Mat image = cv::imdecode(packed->data, cv::IMREAD_COLOR);
+    if (image.empty()) throw std::runtime_error("it cannot be decoded");
+    return writeJpeg(file, image, quality);
+  }
+  if (!isWhole(packed->data)) throw std::runtime_error("its JPEG is cut off");
+  writeBytes(file, packed->data.data(), packed->data.size());
 }
 
 ros::Time stampOf(const rosbag::MessageInstance& message) {
@@ -86,7 +104,8 @@ fs::path folderIn(const Options& options, const char* what) {
   return folder;
 }
 
-void extract(const Options& options) {
+/// How many pictures are damaged.
+std::size_t extract(const Options& options) {
   rosbag::Bag bag;
   openBag(bag, options.bag);
   const std::string topic = imageTopic(bag, options.topic);
@@ -94,7 +113,7 @@ void extract(const Options& options) {
   if (!options.labels.empty()) labels = readLabels(bag, options.labels, options.classes, options.limits);
   const fs::path images = folderIn(options, "images"), texts = folderIn(options, "labels");
   rosbag::View view(bag, rosbag::TopicQuery(topic));
-  std::size_t count = 0, written = 0, without = 0;
+  std::size_t count = 0, written = 0, without = 0, damaged = 0;
   for (const rosbag::MessageInstance& message : view) {
     if (count++ % options.every != 0) continue;
     const std::string name = fs::path(options.bag).stem().string() + cv::format("_%06zu", count - 1);
@@ -103,7 +122,15 @@ void extract(const Options& options) {
       ++without;
       continue;
     }
-    writePicture(images / (name + ".jpg"), message, options.quality);
+    try {
+      writePicture(images / (name + ".jpg"), message, options.quality);
+    } catch (const Unwritable&) {
+      throw;
+    } catch (const std::exception& fault) {
+      std::cerr << topic << ", picture " << count - 1 << " of stamp " << stampOf(message) << ": " << fault.what() << "\n";
+      ++damaged;
+      continue;
+    }
     if (label != labels.end())
       writeBytes(texts / (name + ".txt"), reinterpret_cast<const std::uint8_t*>(label->second.data()),
                  label->second.size());
@@ -113,7 +140,9 @@ void extract(const Options& options) {
   std::cout << options.out << ": " << written << " pictures of " << count << " on " << topic;
   if (without > 0)
     std::cout << "; " << without << " left out, " << options.labels << " has none of their stamp";
+  if (damaged > 0) std::cout << "; " << damaged << " left out as damaged";
   std::cout << "\n";
+  return damaged;
 }
 
 void declare(CLI::App& app, Options& options) {
@@ -122,7 +151,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--topic", options.topic, "Image or CompressedImage (default: the only one)");
   app.add_option("--every", options.every, "takes one of so many pictures")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   app.add_option("--quality", options.quality, "of the JPEG where the bag has none")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
@@ -150,7 +179,7 @@ int main(int argc, char** argv) {
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
-    extract(options);
+    if (extract(options) > 0) return EXIT_FAILURE;
   } catch (const std::exception& e) {
     std::cerr << "bag_to_images: " << e.what() << "\n";
     return EXIT_FAILURE;

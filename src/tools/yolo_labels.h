@@ -5,6 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <opencv2/core.hpp>
 #include <stdexcept>
@@ -29,20 +30,29 @@ inline std::vector<std::string> readClasses(const std::string& file) {
   }
 }
 
-inline std::string labelText(const ImageDetectionArray& array, const std::vector<std::string>& classes,
+/// What of a box lies within the picture, as a line; empty where that is less than the limits. Throws std::runtime_error.
+inline std::string labelLine(const ImageDetection& d, const ImageDetectionArray& array, const std::vector<std::string>& classes,
                              const LabelLimits& limits) {
+  const auto known = std::find(classes.begin(), classes.end(), d.label);
+  if (known == classes.end()) throw std::runtime_error("class " + d.label + " is not in the list of classes");
+  if (!(d.x_min <= d.x_max && d.y_min <= d.y_max && std::isfinite(d.score)))
+    throw std::runtime_error("the box of a " + d.label + " is inside out or not finite, or its score is");
+  const double width = array.width, height = array.height;
+  const double x0 = std::clamp<double>(d.x_min, 0.0, width), x1 = std::clamp<double>(d.x_max, 0.0, width);
+  const double y0 = std::clamp<double>(d.y_min, 0.0, height), y1 = std::clamp<double>(d.y_max, 0.0, height);
+  if (d.score < limits.score || !((x1 - x0) * (y1 - y0) >= limits.area) || x0 == x1 || y0 == y1) return "";
+  return cv::format("%d %.6f %.6f %.6f %.6f\n", static_cast<int>(known - classes.begin()), 0.5 * (x0 + x1) / width,
+                    0.5 * (y0 + y1) / height, (x1 - x0) / width, (y1 - y0) / height);
+}
+
+inline std::string labelText(const ImageDetectionArray& array, const std::vector<std::string>& classes,
+                             const LabelLimits& limits) try {
+  if (array.width == 0 || array.height == 0) throw std::runtime_error("the size of the picture is missing");
   std::string text;
-  for (const ImageDetection& d : array.detections) {
-    const auto known = std::find(classes.begin(), classes.end(), d.label);
-    if (known == classes.end())
-      throw std::runtime_error("class " + d.label + " is not in the list of classes");
-    const double w = d.x_max - d.x_min, h = d.y_max - d.y_min;
-    if (d.score < limits.score || w * h < limits.area) continue;
-    text += cv::format("%d %.6f %.6f %.6f %.6f\n", static_cast<int>(known - classes.begin()),
-                       0.5 * (d.x_min + d.x_max) / array.width, 0.5 * (d.y_min + d.y_max) / array.height,
-                       w / array.width, h / array.height);
-  }
+  for (const ImageDetection& d : array.detections) text += labelLine(d, array, classes, limits);
   return text;
+} catch (const std::runtime_error& fault) {
+  throw std::runtime_error("boxes of stamp " + std::to_string(array.header.stamp.toSec()) + ": " + fault.what());
 }
 
 inline LabelFiles readLabels(const rosbag::Bag& bag, const std::string& topic,

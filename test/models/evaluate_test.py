@@ -92,8 +92,19 @@ def test_program_scores_a_checkpoint_and_its_export_alike(shapes_folder, tmp_pat
     assert len(figures[0]) == 2 and figures[0] == pytest.approx(figures[1], abs=0.02)
 
 
+def test_a_network_that_computes_nonsense_is_not_exported(tmp_path):
+    network = YoloV8(3, width=0.125)
+    weights = {name: torch.full_like(value, float("nan")) if value.is_floating_point() else value for name, value in network.state_dict().items()}
+    save(tmp_path / "a.pt", {"config": network.config, "names": NAMES, "size": [96, 64]}, {"weights": weights})
+    done = subprocess.run([sys.executable, ROOT / "models/export_detector.py", tmp_path / "a.pt", tmp_path / "a.onnx"],
+                          text=True, capture_output=True)
+    assert done.returncode == 1 and "nothing written" in done.stderr and not (tmp_path / "a.onnx").exists()
+
+
 def test_program_names_what_is_wrong(shapes_folder, tmp_path):
     (tmp_path / "a.pt").write_bytes(b"")
     for model, words in ((tmp_path / "a.pt", "a.pt"), (FIXTURES / "raw_head.onnx", "none of its classes"), ("no.onnx", "no.onnx")):
         done = evaluate(model, shapes_folder)
         assert done.returncode == 1 and words in done.stderr and "Traceback" not in done.stderr
+    for overlap in ("7", "nan"):
+        assert f"{overlap} is not from 0 to 1" in evaluate("no.onnx", shapes_folder, "--overlap", overlap).stderr

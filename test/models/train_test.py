@@ -1,5 +1,6 @@
 """The training as a program: it learns, and an interruption changes nothing."""
 import csv
+import shutil
 import signal
 import subprocess
 import sys
@@ -120,9 +121,21 @@ def test_program_does_not_overwrite_a_training(shapes_folder, tmp_path):
     assert done.returncode == 1 and "exists" in done.stderr and "Traceback" not in done.stderr
 
 
+def test_where_no_body_is_to_find_no_weights_are_the_best(shapes_folder, tmp_path):
+    data = tmp_path / "data"
+    shutil.copytree(shapes_folder, data)
+    for file in (data / "labels/val").glob("*.txt"):
+        file.write_text("")
+    done = run(data, tmp_path / "out", "--epochs", "1", "--size", "96x64", "--width", "0.125", "--batch", "4", "--validate", "1")
+    assert done.returncode == 1 and "no body to find" in done.stderr and (tmp_path / "out/last.pt").exists()
+
+
 @pytest.mark.parametrize("arguments, words", [
     (("--size", "100"), "multiples of 32"), (("--size", "64x"), "multiples of 32"), (("--resume",), "no checkpoint"),
-    (("--epochs", "0"), "above 0"), (("--epochs", "1", "--minutes", "1"), "not allowed"),
+    (("--epochs", "0"), "--epochs: 0 is not from 1"), (("--epochs", "1", "--minutes", "1"), "not allowed"),
+    (("--batch", "0"), "--batch: 0 is not from 1"), (("--seed", "-1"), "--seed"), (("--width", "nan"), "--width: nan is not above 0"),
+    (("--mosaic", "7"), "--mosaic: 7 is not from 0 to 1"), (("--threads", "0"), "--threads"), (("--workers", "x"), "--workers"),
+    (("--resume", "--epochs=9"), "it does not take --epochs"),
 ])
 def test_program_refuses_bad_arguments(shapes_folder, tmp_path, arguments, words):
     done = run(shapes_folder, tmp_path / "out", *arguments)

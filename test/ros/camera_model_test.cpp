@@ -74,6 +74,14 @@ TEST(CameraModel, WhatDescribesNoCameraIsNamed) {
       test::says(faultAfter([](Info& i) { i.distortion_model = "weird", i.D[0] = 0.1; }),
                  "camera info has a distortion that is not understood: model 'weird' with 5 numbers"));
   EXPECT_TRUE(test::says(faultAfter([](Info& i) { i.D.assign(2, 0.1); }), "with 2 numbers"));
+  EXPECT_TRUE(test::says(faultAfter([](Info& i) { i.R.assign(0.0), i.D[0] = 0.1; }), "R is no rotation"));
+  EXPECT_TRUE(test::says(faultAfter([](Info& i) { i.D = {1e9, -1e9, 0.0, 0.0, 1e9}; }), "turns the image inside out"));
+}
+
+TEST(CameraModel, DriversWithoutDistortionMayLeaveRAtZero) {
+  auto bare = info();
+  bare.R.assign(0.0);
+  EXPECT_FLOAT_EQ(CameraModel(bare).rectified({10.f, 20.f, 30.f, 40.f}).x_min, 9.5f);
 }
 
 }  // namespace

@@ -242,6 +242,14 @@ TEST_F(MatchStage, WithoutAnyFrameCamerasAloneAreDroppedAndNamed) {
   EXPECT_EQ(out.count, 0);
 }
 
+TEST_F(MatchStage, AStampThatItsOffsetTakesBelowZeroEndsNoStage) {
+  Received<ObstacleArray> listener("two/obstacles");
+  Sender<ImageDetectionArray> right("two/right/detections");
+  ASSERT_TRUE(spinUntil([&] { return right.connected(); }));
+  right.send(detectionsAt(0.05, {4.f}));
+  EXPECT_TRUE(spinUntil([&] { return std::atoi(diagnostics_.value("match_two", "right/detections: received").c_str()) > 0; }));
+}
+
 TEST_F(MatchStage, TwoCamerasEachWithItsClockAnswerForOneLidar) {
   Received<ObstacleArray> out("two/obstacles");
   Sender<ClusterArray> clusters("two/clusters");

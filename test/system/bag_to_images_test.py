@@ -99,6 +99,32 @@ def test_a_picture_without_boxes_of_its_stamp_is_left_out_and_told(tmp_path):
     assert "1 left out" in said
 
 
+def test_damaged_pictures_are_told_and_the_rest_is_written(tmp_path):
+    cut, empty, strange = packed(0, ".jpg"), stamped(CompressedImage(), 1), raw(2)
+    cut.data, strange.encoding = cut.data[:len(cut.data) // 2], "plaid"
+    bag = write(tmp_path / "a.bag", ("/image", cut), ("/image", empty), ("/image", packed(3, ".png")))
+    done = rosrun("bag_to_images", bag, tmp_path / "out")
+    assert done.returncode != 0 and "1 pictures of 3" in done.stdout and "2 left out as damaged" in done.stdout
+    assert "/image, picture 0 of stamp 100" in done.stderr and "picture 1 of stamp 101" in done.stderr
+    assert [file.name for file in (tmp_path / "out").iterdir()] == ["a_000002.jpg"]
+    done = rosrun("bag_to_images", write(tmp_path / "b.bag", ("/image", strange), ("/image", raw(3))), tmp_path / "out_b")
+    assert "picture 0 of stamp 102" in done.stderr and "1 pictures of 2" in done.stdout
+
+
+def test_boxes_are_cut_at_the_border_of_the_picture(tmp_path):
+    bag = write(tmp_path / "a.bag", ("/image", raw(0)), ("/boxes", boxes(0, ("boat", 1, -30, 24, 32, 100), ("boat", 1, 70, 0, 100, 48))))
+    lines = (convert(bag, "--labels", "/boxes")[0] / "labels/a_000000.txt").read_text().splitlines()
+    assert [[float(word) for word in line.split()] for line in lines] == [[1, 0.25, 0.75, 0.5, 0.5]]
+
+
+@pytest.mark.parametrize("box, size", [((float("nan"), 1, 9, 9), WIDTH), ((30, 1, 9, 9), WIDTH), ((1, 1, 9, 9), 0)])
+def test_impossible_boxes_are_refused_by_their_stamp(box, size, tmp_path):
+    message = boxes(0, ("boat", 1, *box))
+    message.width = size
+    done = rosrun("bag_to_images", write(tmp_path / "a.bag", ("/image", raw(0)), ("/boxes", message)), tmp_path / "out", "--labels", "/boxes")
+    assert done.returncode != 0 and "boxes of stamp 100" in done.stderr
+
+
 FAULTS = {  # arguments: what is said
     ("--topic", "/none"): "no topic /none; the bag has images on /left, /right",
     (): "--topic is needed; the bag has images on /left, /right",

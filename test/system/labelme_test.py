@@ -86,6 +86,11 @@ FAULTS = {  # what stands in the file: what is said
     "no picture": ([], {"imagePath": "b.png"}, "b.png is not there"),
     "another size": ([], {"imageWidth": 100}, "is for a picture of 100 x 100 pixels"),
     "no shapes": (None, {}, "a.json"),
+    "shapes that are a table": ({"label": "boat"}, {}, "a.json: is not LabelMe's: its shapes are no list"),
+    "a shape that is text": (["boat"], {}, "shapes[0]: is no shape"),
+    "points that are text": ([shape("boat", "here")], {}, "shapes[0]: has points that are no pairs of numbers"),
+    "ragged points": ([shape("boat", [[1, 1], [9]])], {}, "shapes[0]: has points that are no pairs of numbers"),
+    "no picture inside": ([], {"imagePath": "b.png", "imageData": "%%%"}, "a.json: its imageData is no picture"),
 }
 
 
@@ -97,6 +102,27 @@ def test_a_fault_is_named_and_nothing_is_written(what, tmp_path):
     done = rosrun("labelme_to_yolo", tmp_path / "in", tmp_path / "out")
     assert done.returncode != 0 and said in done.stderr and "good.json" not in done.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_that_is_in_use_is_refused(tmp_path):
+    for name in "ab":
+        write(tmp_path / "in", name, [shape("boat", [[1, 1], [9, 9]])])
+    convert(tmp_path)
+    before = sorted((tmp_path / "out").rglob("*"))
+    done = rosrun("labelme_to_yolo", tmp_path / "in", tmp_path / "out", "--seed", "2")
+    assert done.returncode != 0 and "holds pictures already" in done.stderr
+    assert sorted((tmp_path / "out").rglob("*")) == before and sum(file.suffix == ".txt" for file in before) == 2
+    assert len(list((tmp_path / "out/labels/val").iterdir())) == 1, "one to test with, where there are two"
+
+
+@pytest.mark.parametrize("text", ["names: 5", "just words", "names: {0: a}", "names: [", None])
+def test_classes_that_are_none_are_told(text, tmp_path):
+    write(tmp_path / "in", "a", [])
+    file = tmp_path / "classes.yaml"
+    if text is not None:
+        file.write_text(text)
+    done = rosrun("labelme_to_yolo", tmp_path / "in", tmp_path / "out", "--classes", file)
+    assert done.returncode != 0 and f"{file} is no YAML file with a list `names`" in done.stderr
 
 
 def test_a_folder_without_labels_is_told(tmp_path):

@@ -177,6 +177,7 @@ class Stage : public nodelet::Nodelet {
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);
   bool serve(const std::string& name, const std::function<void()>& work);
   bool waits(const InputPort& port) const;
+  static bool isReady(const Arrival& arrival);
   void release();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
   void announceRefusal(const std::string& reason);

@@ -1,5 +1,6 @@
 #include "field_fusion/core/detect/yolo_detector.h"
 
+#include <opencv2/core.hpp>
 #include <stdexcept>
 
 #include "field_fusion/core/detect/class_names.h"
@@ -24,6 +25,10 @@ YoloDetector::YoloDetector(const OnnxFile& model, const std::string& class_file,
       decoder_(headOf(model, loaded_)) {
   const int classes = decoder_.head().classes;
   class_names_ = class_file.empty() ? classNamesOf(model, classes) : readClassNames(class_file, classes);
+  const cv::Mat grey(loaded_.input_size, CV_8UC3, cv::Scalar::all(114));
+  for (const cv::Mat& output : loaded_.network->run(letterbox_.apply(grey, PixelOrder::kRgb)))
+    if (!cv::checkRange(output))
+      throw std::runtime_error("model '" + model.path + "': it answers a grey image with numbers that are not finite");
 }
 
 const Detections& YoloDetector::detect(const cv::Mat& image, PixelOrder order, const YoloParams& params) {
