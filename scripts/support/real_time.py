@@ -29,7 +29,7 @@ class RealTime(LockStep):
         """`awaited` (topic, stamp, revision): what should have come before this returns."""
         self.clear()
         gc.collect()
-        gc.disable()  # of a recording it takes some 80 ms, which would count as the stages'
+        gc.disable()  # over a whole recording it takes tens of ms, which would count as the stages'
         try:
             start = time.monotonic() - arrivals[0].due
             for due, topic, message in arrivals:
