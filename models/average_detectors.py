@@ -11,6 +11,7 @@ import sys
 import onnx
 from onnx import numpy_helper
 
+from yolov8.arguments import number
 from yolov8.onnx_weights import names_of
 
 
@@ -19,11 +20,8 @@ def arguments():
     parser.add_argument("earlier")
     parser.add_argument("later")
     parser.add_argument("out")
-    parser.add_argument("--share", type=float, default=0.5, help="of the later one, 0 to 1; 0.5")
-    args = parser.parse_args()
-    if not 0.0 <= args.share <= 1.0:
-        parser.error(f"--share {args.share:g} is not between 0 and 1")
-    return args
+    parser.add_argument("--share", type=number(float, 0, 1), default=0.5, help="of the later one, 0 to 1; 0.5")
+    return parser.parse_args()
 
 
 def read(path):

@@ -1,6 +1,5 @@
 #include "field_fusion/ros/level_frame.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "field_fusion/core/base/level.h"

@@ -1,13 +1,13 @@
 """quadruped.launch goes on, and says what is wrong, when the camera falls silent and when the robot is carried."""
 import pytest
 import rosbag
-import yaml
 
 import poses
+import sim_world
 from conftest import ROOT, rosrun
+from quad_stages import IMAGE, INFO, ODOM, SCAN
 from ros_session import RosSession
 
-SCAN, ODOM, IMAGE, INFO = "/scan/scan", "/odom", "/depth/depth/image_raw", "/depth/depth/camera_info"
 SILENT = (3.0, 13.0)  # s since the begin, in which no depth comes
 LIFTED, PUT_DOWN = 17.0, 23.0  # s: what comes between is left out, and the legs tell nothing of it
 SECONDS, BEGIN = 28.0, 1000.0  # s; what the simulator begins with
@@ -17,13 +17,8 @@ OK, WARN = 0, 1
 
 def walk(folder):
     """A bag of the eight obstacles with few depth images."""
-    world = yaml.safe_load((ROOT / "config/worlds/quad_obstacles.yaml").read_text())
-    for mount in world["robot"]["mounts"]:
-        mount.update({"rate": 5.0} if mount["name"] == "depth" else {})
-    (folder / "worlds").mkdir()
-    (folder / "sensors").symlink_to(ROOT / "config/sensors")
-    file, bag = folder / "worlds/walk.yaml", folder / "walk.bag"
-    file.write_text(yaml.safe_dump(world))
+    world = sim_world.with_mounts(sim_world.shipped("quad_obstacles"), {"depth": {"rate": 5.0}})
+    file, bag = sim_world.write(world, folder), folder / "walk.bag"
     done = rosrun("make_bag", file, bag, "--seconds", SECONDS, "--mounts", "scan", "depth", "odom", "--no-truth")
     assert done.returncode == 0, done.stderr
     return bag

@@ -9,10 +9,8 @@ PROGRAM = """
 import os, struct, sys, rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from field_fusion.srv import SaveMap
-from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import PointCloud2, PointField
-from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 rospy.init_node("user")
@@ -26,7 +24,7 @@ def wait(what, holds, step=lambda: None):
         step()
         rospy.rostime.wallsleep(0.02)
     sys.exit(what)
-def cloud(topic, at):
+def cloud(at):
     fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
     out = PointCloud2(height=1, width=1, fields=fields, point_step=12, row_step=12, data=struct.pack("<3f", 2.02, 0.02, 0.32))
     out.header.frame_id, out.header.stamp = "map", rospy.Time.from_sec(at)
@@ -39,7 +37,7 @@ wait("no stage", lambda: clouds.get_num_connections() and all(e.get_num_connecti
 now = [1000.0]
 def send():
     now[0] += 0.1
-    clouds.publish(cloud("points", now[0]))
+    clouds.publish(cloud(now[0]))
 occupied = lambda: any(cell > 50 for message in heard.get("projected_map", [])[-1:] for cell in message.data)
 if mode == "save":
     wait("no map", occupied, send)

@@ -43,8 +43,8 @@ class LevelFrame {
 
   /// Whether the pose of the base, and that of a sensor on it, is known at the stamp of the message.
   bool ready(const std_msgs::Header& header, const TfCache& tf) const;
-  /// T_plane_base at a stamp, which also goes to TF. Throws std::runtime_error where a transform is missing,
-  /// the robot stands on end, or the stamp is 10 s or more ahead of the clock.
+  /// T_plane_base at a stamp, which also goes to TF. Throws std::runtime_error where a transform is missing
+  /// or the robot stands on end.
   core::Transform send(const ros::Time& stamp, const TfCache& tf);
   /// T_plane_sensor, the plane at `stamp` and the sensor at its own. Without up_frame both instants are one.
   core::Transform sensor(const core::Transform& T_plane_base, const ros::Time& stamp,
