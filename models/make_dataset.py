@@ -100,8 +100,14 @@ def write_description(out, seed):
 def check_seed(out, seed):
     """One folder holds the pictures of one seed."""
     file = out / "data.yaml"
-    if file.exists() and yaml.safe_load(file.read_text()).get("seed") != seed:
-        sys.exit(f"make_dataset: {file} is of another seed; name an empty folder")
+    if not file.exists():
+        return
+    try:
+        known = yaml.safe_load(file.read_text())["seed"]
+    except (KeyError, TypeError, ValueError, yaml.YAMLError):
+        raise RuntimeError(f"{file} is not of make_dataset; name an empty folder") from None
+    if known != seed:
+        raise RuntimeError(f"{file} is of another seed; name an empty folder")
 
 
 def main():
@@ -132,5 +138,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (RuntimeError, KeyboardInterrupt) as fault:
+    except (RuntimeError, OSError, KeyboardInterrupt) as fault:
         sys.exit(f"make_dataset: {fault or 'interrupted'}")

@@ -9,6 +9,7 @@ times boxes): each such constant is expanded to the shape of its partner. An exp
 also computes where to cut tensors from their shapes (Shape, Gather, Add, Div, Mul), which OpenCV 4.6 refuses:
 what follows from fixed shapes is computed here. What the network computes stays the same. Needs python3-onnx.
 """
+import argparse
 import sys
 
 import numpy as np
@@ -96,16 +97,18 @@ def prepare(model):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("original", metavar="IN.onnx")
+    parser.add_argument("out", metavar="OUT.onnx")
+    args = parser.parse_args()
     try:
-        model = onnx.load(sys.argv[1])
+        model = onnx.load(args.original)
         mended = prepare(model)
         onnx.checker.check_model(model)
-        onnx.save(model, sys.argv[2])
+        onnx.save(model, args.out)
     except Exception as error:  # each library below has kinds of its own
-        sys.exit(f"prepare_onnx: {sys.argv[1]}: {error}")
-    print(f"{sys.argv[2]}: {len(mended)} nodes mended" + "".join(f"\n  {name}" for name in mended))
+        sys.exit(f"prepare_onnx: {args.original}: {error}")
+    print(f"{args.out}: {len(mended)} nodes mended" + "".join(f"\n  {name}" for name in mended))
 
 
 if __name__ == "__main__":

@@ -77,7 +77,7 @@ def settings_from(saved, path):
 def started(args):
     last, facts = pathlib.Path(args.out) / "last.pt", None
     if args.resume:
-        facts, tensors = load(last, "state")
+        facts, tensors = load(last, resumed=True)
         settings = settings_from(facts["settings"], last)
     elif last.exists():
         raise CheckpointError(f"{last} exists: --resume goes on with it, another OUT begins anew")

@@ -2,10 +2,15 @@
 import json
 import os
 import pathlib
+import pickle
+import zipfile
 
 import torch
 
 from .network import YoloV8
+
+
+STATE = ("network", "optimizer", "losses")  # tensors of a training that can go on
 
 
 class CheckpointError(Exception):
@@ -24,16 +29,32 @@ def save(path, facts, tensors):
     os.replace(part, path)
 
 
-def load(path, *wanted):
-    """(facts, tensors). `wanted`: facts beyond what every checkpoint has."""
+def contents(path):
+    """Whatever torch saved there. It does not check what it reads, so the sums of the zip file are."""
+    with zipfile.ZipFile(path) as file:
+        if file.testzip():
+            raise ValueError("it is damaged: its sums are not those of its contents")
     try:
-        tensors = torch.load(path, map_location="cpu", weights_only=True)
+        return torch.load(path, map_location="cpu", weights_only=True)
+    except pickle.UnpicklingError:  # torch would advise to trust the file
+        raise ValueError("it holds more than numbers and texts") from None
+
+
+def load(path, resumed=False):
+    """(facts, tensors). `resumed`: with the state of the training."""
+    try:
+        tensors = contents(path)
         facts = json.loads(tensors.pop("facts"))
-        missing = [key for key in ("config", "names", "size", *wanted) if key not in facts]
+        missing = [key for key in ("config", "names", "size") if key not in facts]
+        missing += [key for key in ("weights", *STATE * resumed) if key not in tensors]
+        if resumed and "state" not in facts:
+            raise CheckpointError(f"{path}: it lacks the state of the training, only last.pt can be resumed")
+    except CheckpointError:
+        raise
     except Exception as fault:  # of the file system, of zip, of pickle: all mean the same here
         raise CheckpointError(f"{path}: no checkpoint of train_detector: {fault}") from None
     if missing:
-        raise CheckpointError(f"{path}: it lacks {', '.join(missing)}" + (", only last.pt can be resumed" if wanted else ""))
+        raise CheckpointError(f"{path}: it lacks {', '.join(missing)}")
     return facts, tensors
 
 

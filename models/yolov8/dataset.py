@@ -22,12 +22,18 @@ class Sample:
     classes: np.ndarray  # M int64
 
 
+def numbered(names):
+    if sorted(names) != list(range(len(names))):
+        raise ValueError(f"'names' are numbered {', '.join(map(str, names))}, not 0 to {len(names) - 1}")
+    return names.items()
+
+
 def class_names(folder):
     path = pathlib.Path(folder) / "data.yaml"
     try:
         names = yaml.safe_load(path.read_text())["names"]
         if isinstance(names, dict):
-            names = [names[i] for i in range(len(names))]
+            names = [name for _, name in sorted(numbered(names))]
         if not names or not all(isinstance(name, str) for name in names):
             raise ValueError("'names' is no list of words")
     except (OSError, KeyError, TypeError, ValueError, yaml.YAMLError) as fault:
@@ -38,7 +44,11 @@ def class_names(folder):
 def read_labels(path, classes):
     """Rows (class, x, y, width, height), relative to the image. An empty file is an image of nothing."""
     rows = []
-    for number, line in enumerate(path.read_text().splitlines(), 1):
+    try:
+        lines = path.read_text().splitlines()
+    except UnicodeDecodeError:
+        raise DataError(f"{path}: is no text") from None
+    for number, line in enumerate(lines, 1):
         try:
             row = [float(word) for word in line.split()]
         except ValueError:
@@ -53,6 +63,17 @@ def read_labels(path, classes):
             raise DataError(f"{path}:{number}: box {line.split()[1:]} has no area or is not within 0..1")
         rows.append(row)
     return np.array(rows, np.float32).reshape(-1, 5)
+
+
+def read_image(path):
+    """HxWx3 uint8 BGR. OpenCV fills with grey what a JPEG lacks: one whose last scan does not end is refused."""
+    content = path.read_bytes()
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR) if content else None
+    if image is None:
+        raise DataError(f"{path}: cannot be read as an image")
+    if content.startswith(b"\xff\xd8") and content.rfind(b"\xff\xd9") < content.rfind(b"\xff\xda"):
+        raise DataError(f"{path}: is cut short")
+    return image
 
 
 def fitted_size(width, height, size):
@@ -84,9 +105,7 @@ class Dataset:
         if not labels.is_file():
             raise DataError(f"{labels}: no such file, but there is {path}")
         rows = read_labels(labels, len(self.names))
-        image = cv2.imread(str(path))
-        if image is None:
-            raise DataError(f"{path}: cannot be read as an image")
+        image = read_image(path)
         height, width = image.shape[:2]
         fitted = fitted_size(width, height, self.size)
         if fitted != (width, height):

@@ -9,6 +9,7 @@ import time
 import xmlrpc.client
 
 
+DIED = b"process has died"  # roslaunch's words of a node; it goes on itself
 ASK, INSIST = 20.0, 5.0  # s that a program gets to end after SIGINT, after SIGTERM
 
 
@@ -103,14 +104,15 @@ class RosSession:
 
     def require(self, holds, seconds, what, *needed):
         """Waits until `holds()`. Raises SessionError with the end of the logs when one of the programs
-        `needed` ends before, or when the wall time is up."""
+        `needed`, or a node that one of them launched, ends before, or when the wall time is up."""
+        logs = [(process, log) for process, log in self.running if process in needed and log]
+
         def ended():
-            return any(process.poll() is not None for process in needed)
+            return [log for process, log in logs if process.poll() is not None or DIED in log.read_bytes()]
 
         self.wait(lambda: holds() or ended(), seconds)
         if not holds():
-            logs = [log for process, log in self.running if process in needed]
-            tail = "\n".join(log.read_text(errors="replace")[-2000:] for log in logs)
+            tail = "\n".join(log.read_text(errors="replace")[-2000:] for log in ended() or [log for _, log in logs])
             raise SessionError(f"{what}{' (it ended)' if ended() else f' within {seconds:.0f} s'}\n{tail}")
 
     def _master_answers(self):

@@ -58,7 +58,8 @@ def test_names_are_a_list_or_numbered(tmp_path, text):
     assert class_names(tmp_path) == ["a", "b"]
 
 
-@pytest.mark.parametrize("text", ["", "names: []", "classes: [a]", "names: {0: a, 2: b}", "names: [1, 2]", "a: [", "names: 5"])
+@pytest.mark.parametrize("text", ["", "names: []", "classes: [a]", "names: {0: a, 2: b}", "names: [1, 2]", "a: [", "names: 5",
+                                  "names: {0: a, x: b}"])
 def test_bad_names_are_refused(tmp_path, text):
     (tmp_path / "data.yaml").write_text(text)
     with pytest.raises(DataError, match="data.yaml"):
@@ -74,6 +75,20 @@ def test_missing_names_splits_labels_and_images_are_named(folder):
     (folder / "labels/train/extra.txt").write_text("")
     (folder / "images/train/extra.png").write_bytes(b"no image")
     with pytest.raises(DataError, match="extra.png: cannot be read"):
+        Dataset(folder, "train", (96, 64))
+    (folder / "images/train/extra.png").unlink()
+    whole = cv2.imencode(".jpg", np.random.default_rng(0).integers(0, 255, (64, 96, 3), np.uint8))[1].tobytes()
+    (folder / "images/train/extra.jpg").write_bytes(whole + b"\0" * 100)  # some cameras write more behind the end
+    assert len(Dataset(folder, "train", (96, 64))) == 3
+    (folder / "images/train/extra.jpg").write_bytes(whole[:-40])
+    with pytest.raises(DataError, match="extra.jpg: is cut short"):
+        Dataset(folder, "train", (96, 64))
+    (folder / "images/train/extra.jpg").write_bytes(b"")
+    with pytest.raises(DataError, match="extra.jpg: cannot be read"):
+        Dataset(folder, "train", (96, 64))
+    (folder / "images/train/extra.jpg").write_bytes(whole)
+    (folder / "labels/train/extra.txt").write_bytes(b"0 0.5 0.5 0.1 0.1 \xff\n")
+    with pytest.raises(DataError, match="extra.txt: is no text"):
         Dataset(folder, "train", (96, 64))
     (folder / "data.yaml").unlink()
     with pytest.raises(DataError, match="data.yaml"):

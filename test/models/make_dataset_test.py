@@ -1,4 +1,6 @@
 """Which worlds of a data set are still to be filmed."""
+import pytest
+
 import make_dataset
 from data import random_world
 
@@ -31,3 +33,11 @@ def test_a_world_of_which_fewer_pictures_were_asked_for_is_filmed_whole(tmp_path
     for job in make_dataset.jobs_of(tmp_path, "train", FRAMES + 1, 1):
         film(tmp_path, *job)
     assert [job[3] for job in make_dataset.jobs_of(tmp_path, "train", 2 * FRAMES, 1)] == [FRAMES]
+
+
+@pytest.mark.parametrize("text, words", [("- a\n", "is not of make_dataset"), ("names: [a]\n", "is not of make_dataset"),
+                                         ("a: [", "is not of make_dataset"), ("seed: 2\n", "is of another seed")])
+def test_a_folder_of_others_is_refused(tmp_path, text, words):
+    (tmp_path / "data.yaml").write_text(text)
+    with pytest.raises(RuntimeError, match=words):
+        make_dataset.check_seed(tmp_path, 1)

@@ -1,5 +1,6 @@
 """The training as a program: it learns, and an interruption changes nothing."""
 import csv
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -50,7 +51,7 @@ def test_interrupted_training_ends_as_one_without_interruption(uninterrupted, sh
     with pytest.raises(KeyboardInterrupt):
         training_of(shapes_folder, tmp_path, Silent(stop_at), optimizer=optimizer).run()
     resumed = training_of(shapes_folder, tmp_path, optimizer=optimizer)
-    resumed.restore(*load(tmp_path / "last.pt", "state"))
+    resumed.restore(*load(tmp_path / "last.pt", resumed=True))
     assert resumed.epoch * 4 + resumed.step == stop_at
     resumed.run()
     for kind in ("network", "weights"):
@@ -110,7 +111,7 @@ def test_program_stops_at_a_signal_and_resumes(shapes_folder, tmp_path):
 
 def test_program_does_not_resume_what_another_version_began(shapes_folder, tmp_path):
     facts = {"config": {}, "names": [], "size": [], "state": {}, "settings": {"colour": "red"}}
-    save(tmp_path / "last.pt", facts, {})
+    save(tmp_path / "last.pt", facts, {"weights": {}, "network": {}, "optimizer": {}, "losses": {}})
     done = run(shapes_folder, tmp_path, "--resume")
     assert done.returncode == 1 and "another version" in done.stderr and "colour" in done.stderr
 
@@ -182,14 +183,33 @@ def test_checkpoint_of_others_is_refused(tmp_path):
     torch.save({"weights": torch.zeros(1)}, path)
     with pytest.raises(CheckpointError, match="facts"):
         load(path)
-    save(path, {"config": {}, "names": [], "size": []}, {})
-    with pytest.raises(CheckpointError, match="lacks state"):
-        load(path, "state")
+    torch.save({"weights": pathlib.PurePath("x")}, path)
+    with pytest.raises(CheckpointError, match="more than numbers") as fault:
+        load(path)
+    assert "weights_only" not in str(fault.value)
+    facts = {"config": {}, "names": [], "size": []}
+    save(path, facts, {"weights": {}})
+    with pytest.raises(CheckpointError, match="lacks the state"):
+        load(path, resumed=True)
+    save(path, {**facts, "state": {}}, {"weights": {}, "network": {}})
+    with pytest.raises(CheckpointError, match="lacks optimizer, losses"):
+        load(path, resumed=True)
+
+
+def test_damaged_checkpoint_is_refused(tmp_path):
+    path = tmp_path / "a.pt"
+    save(path, {"config": {}, "names": [], "size": []}, {"weights": torch.ones(1000)})
+    content = bytearray(path.read_bytes())
+    middle = content.index(torch.ones(1000).numpy().tobytes()) + 2000
+    content[middle] ^= 1
+    path.write_bytes(content)
+    with pytest.raises(CheckpointError, match="a.pt.*damaged"):
+        load(path)
 
 
 def test_checkpoint_is_whole_or_not_there(tmp_path, monkeypatch):
     path = tmp_path / "a.pt"
-    save(path, {"config": {}, "names": ["old"], "size": []}, {})
+    save(path, {"config": {}, "names": ["old"], "size": []}, {"weights": {}})
 
     def broken(content, stream):
         stream.write(b"half")

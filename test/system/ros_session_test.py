@@ -43,6 +43,16 @@ def test_end_of_a_needed_program_is_told_with_its_log(session):
         session.require(lambda: False, 30.0, "nothing came", needed)
 
 
+def test_end_of_a_launched_node_is_told_at_once_though_the_rest_runs_on(session, tmp_path):
+    launch = tmp_path / "a.launch"
+    launch.write_text("""<launch>
+      <node pkg="rostopic" type="rostopic" name="lasting" args="echo /nothing"/>
+      <node pkg="rostopic" type="rostopic" name="failing" args="no_such_command" output="screen"/>
+    </launch>""")
+    with pytest.raises(SessionError, match="(?s)nothing came.*it ended.*failing"):
+        session.require(lambda: False, 60.0, "nothing came", session.launch(launch))
+
+
 def test_wait_tells_when_time_is_up(session):
     assert not session.wait(lambda: False, 0.05)
     assert session.wait(lambda: True, 0.0)

@@ -30,7 +30,8 @@ void SyncParams::declare(Params& p) {
   p.number(
       "partner_timeout", partner_timeout, {0.0, 3600.0}, "s", When::kLive,
       "How long clusters wait for detections, and how long a sensor may be silent before nobody waits for "
-      "it (wall time). Above the period and latency of the detector.");
+      "it (wall time). Above the period and latency of the detector; a slower LiDAR has one and a "
+      "half of its own periods.");
   p.rule([this] { return std::set<std::string>(cameras.begin(), cameras.end()).size() == cameras.size(); },
          "cameras has a name twice");
   p.rule([this] { return std::all_of(cameras.begin(), cameras.end(), isRelativeTopic); },
@@ -71,6 +72,7 @@ void Sync::reset() {
   cameras_.assign(params_.cameraCount(), {});
   waiting_.clear();
   start_ = lidar_heard_ = kNaN;
+  lidar_spacing_ = {};
   last_clusters_ = released_ = -kInfinity;
 }
 
@@ -78,6 +80,7 @@ bool Sync::addClusters(double stamp, double now, const Message& clusters) {
   if (stamp <= last_clusters_) reset();
   hear(now);
   last_clusters_ = stamp;
+  if (!std::isnan(lidar_heard_)) lidar_spacing_.add(now - lidar_heard_);
   lidar_heard_ = now;
   const bool camera =
       std::any_of(cameras_.begin(), cameras_.end(), [&](const Camera& c) { return !silent(c.heard, now); });
@@ -147,9 +150,16 @@ std::optional<Sync::Frame> Sync::next(double now) {
   return release();
 }
 
+/// A slow LiDAR is not silent between two of its clusters: a camera that led there would say a last word on an
+/// instant on which the clusters then have theirs.
+bool Sync::lidarSilent(double now) const {
+  if (!silent(lidar_heard_, now)) return false;
+  return std::isnan(lidar_heard_) || now - lidar_heard_ >= kPatience * lidar_spacing_.least();
+}
+
 /// The LiDAR is silent: what a camera has seen since waits for the other cameras.
 void Sync::lead(double now) {
-  if (std::isnan(start_) || !silent(lidar_heard_, now)) return;
+  if (std::isnan(start_) || !lidarSilent(now)) return;
   double last = std::max(last_clusters_, released_);
   if (!waiting_.empty()) last = std::max(last, waiting_.back().first.stamp);
   const auto first = [this](const auto& holds) {

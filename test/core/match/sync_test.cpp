@@ -79,6 +79,31 @@ TEST_F(SyncTest, NobodyWaitsForASilentCameraAndItsReturnIsTaken) {
   EXPECT_EQ(out(0.8), Stamps{10.8});
 }
 
+/// Clusters at 1 Hz, each 0.2 s on its way, and a camera at 10 Hz.
+TEST_F(SyncTest, LidarSlowerThanTheTimeoutHasOneLastWordOfEachInstantAndItsEndIsSeen) {
+  std::vector<SyncOut> seen;
+  const auto run = [&](int from, int to, bool lidar) {
+    for (int i = from; i < to; ++i) {
+      detections(100.0 + 0.1 * i, 0.1 * i);
+      if (lidar && i % 10 == 2) clusters(100.0 + 0.1 * (i - 2), 0.1 * i);
+      for (const SyncOut& frame : frames(0.1 * i + 0.01)) seen.push_back(frame);
+    }
+  };
+  run(0, 60, true);  // until its period is known
+  seen.clear();
+  run(60, 200, true);
+  ASSERT_EQ(seen.size(), 14u);
+  for (const SyncOut& frame : seen) {
+    EXPECT_TRUE(frame.clusters);
+    EXPECT_NEAR(frame.detections[0], frame.stamp, 1e-9);
+  }
+  seen.clear();
+  run(200, 240, false);  // the last clusters came at 19.2 s
+  ASSERT_FALSE(seen.empty()) << "nobody waits for a LiDAR that ended";
+  for (const SyncOut& frame : seen) EXPECT_FALSE(frame.clusters);
+  EXPECT_GE(seen.size(), 30u) << "what came meanwhile is not lost";
+}
+
 TEST_F(SyncTest, FramesKeepTheOrderOfClusters) {
   clusters(10.0, 0.0), clusters(10.1, 0.1), clusters(10.2, 0.2);
   detections(10.2, 0.3);

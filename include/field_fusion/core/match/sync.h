@@ -45,7 +45,7 @@ class Spacing {
 /// Nobody waits longer than `partner_timeout`, nor for a camera that has been silent for so long. Every
 /// cluster array that waits comes out once, in the order of stamps, with those cameras that answered.
 ///
-/// While the LiDAR is silent, the detections of the first camera that is not are what the others are brought
+/// While the LiDAR is silent, for `partner_timeout` and for one and a half of its own periods, the detections of the first camera that is not are what the others are brought
 /// to, and come out without clusters.
 ///
 /// Stamps and wall times are in seconds; every call is given the wall time. Keeps no clock of its own.
@@ -106,9 +106,11 @@ class Sync {
   static constexpr std::size_t kQueue = 64;
   static constexpr double kMemory = 1.0;  // [s]
   static constexpr double kSlack = 0.1;   // of max_interval
+  static constexpr double kPatience = 1.5;  // periods of the LiDAR
 
   void hear(double now);
   bool silent(double heard, double now) const;
+  bool lidarSilent(double now) const;
   bool settled(const Camera& camera, double stamp, double now) const;
   bool ready(const Waiting& waiting, double now) const;
   void lead(double now);
@@ -121,6 +123,7 @@ class Sync {
   std::deque<Waiting> waiting_;  // by stamp
   double start_ = kNaN;          // wall time of the first message
   double lidar_heard_ = kNaN;
+  Spacing lidar_spacing_;        // of arrivals
   double last_clusters_, released_;  // stamps
   Counts counts_;
 };
