@@ -1,6 +1,7 @@
 #include "field_fusion/core/match/outline.h"
 
 #include <algorithm>
+#include <bitset>
 
 #include "field_fusion/core/detect/image_box.h"
 #include "field_fusion/core/match/box_fit.h"
@@ -8,8 +9,9 @@
 namespace field_fusion::core {
 namespace {
 
-constexpr double kTooLarge = 2.0;  // spreads by which a body may be larger than its class
-constexpr double kSlack = 0.2;     // [m] that errors of ranges may add
+constexpr double kTooLarge = 2.0;    // spreads by which a body may be larger than its class
+constexpr double kSlack = 0.2;       // [m] that errors of ranges may add
+constexpr std::size_t kBins = 3600;  // of elevation, 0.05 degrees each: rows lie at least 0.1 apart
 
 struct Span {
   double low = kNaN, high = kNaN;
@@ -46,8 +48,20 @@ Span heightsOf(const std::vector<Point>& points, const CameraTarget& target, con
   return seen.low < seen.high ? seen : span;
 }
 
+/// Rows of the sensor, told by the elevations of what they returned: runs of bins that hold any.
+std::size_t rowsOf(const std::vector<Point>& points) {
+  std::bitset<kBins + 2> hit;
+  for (const Point& p : points) {
+    const float elevation = std::atan2(p.z, std::hypot(p.x, p.y));
+    if (!std::isfinite(elevation)) continue;
+    hit.set(1 + static_cast<std::size_t>((elevation / static_cast<float>(M_PI) + 0.5f) * kBins));
+  }
+  return (hit & ~(hit << 1)).count();
+}
+
 /// [m^2] along the line of sight. No body is quite the cylinder of its class: a return comes from anywhere
-/// between its near side and its middle (a mast, a topmark), and the nearest of n is 1 / (n + 1) of the way.
+/// between its near side and its middle (a mast, a topmark), and the nearest of n is 1 / (n + 1) of the way. What
+/// one row of the sensor returns is all of one height, so all of one part: n counts rows.
 Eigen::Matrix2d depthOfNearest(const Eigen::Vector2d& centre, double radius, std::size_t count) {
   const Eigen::Vector2d depth = radius / (static_cast<double>(count) + 1.0) * centre.normalized();
   return depth * depth.transpose();
@@ -99,7 +113,7 @@ std::optional<Outline> OutlineFitter::round(const std::vector<Point>& seen, cons
   if (!fit.centre.allFinite()) return std::nullopt;
   const Span span = heightsOf(seen, target, T_lidar_view, fit.centre, fit.radius);
   const Eigen::Vector2d size = Eigen::Vector2d::Constant(2.0 * fit.radius);
-  const Eigen::Matrix2d covariance = fit.covariance + depthOfNearest(fit.centre, fit.radius, seen.size());
+  const Eigen::Matrix2d covariance = fit.covariance + depthOfNearest(fit.centre, fit.radius, rowsOf(seen));
   Outline out = upright(fit.centre, covariance, size, span, noise_);
   const double away = std::max(0.0, fit.centre.norm() - fit.radius);
   out.face << away * fit.centre.normalized(), std::clamp(0.0, span.low, span.high);
