@@ -5,14 +5,14 @@ that it has forgotten meanwhile (Wortsman et al. 2022, "Model soups").
   models/average_detectors.py EARLIER.onnx LATER.onnx OUT.onnx [--share 0.5]
 """
 import argparse
-import os
 import sys
 
 import onnx
 from onnx import numpy_helper
 
 from yolov8.arguments import number
-from yolov8.onnx_weights import names_of
+from yolov8.onnx_weights import check_finite, names_of
+from yolov8.whole_file import whole
 
 
 def arguments():
@@ -28,6 +28,7 @@ def read(path):
     try:
         model = onnx.load(path)
         names_of(model)
+        check_finite(model)
         return model
     except Exception as fault:  # onnx, protobuf and the names each have kinds of their own
         raise ValueError(f"{path}: {fault}") from None
@@ -51,10 +52,13 @@ def main():
     try:
         model = read(args.earlier)
         average(model, read(args.later), args.share)
-        onnx.save(model, f"{args.out}.part")
-        os.replace(f"{args.out}.part", args.out)
-    except (OSError, ValueError) as fault:
+    except ValueError as fault:
         sys.exit(f"average_detectors: {fault}")
+    try:
+        with whole(args.out) as part:
+            onnx.save(model, str(part))
+    except OSError as fault:
+        sys.exit(f"average_detectors: {args.out} cannot be written: {fault}")
     print(f"{args.out}: {1.0 - args.share:g} of {args.earlier}, {args.share:g} of {args.later}")
 
 

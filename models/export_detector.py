@@ -7,7 +7,6 @@ The file is then run through OpenCV beside the network itself; where they differ
 """
 import argparse
 import os
-import pathlib
 import sys
 
 import cv2
@@ -17,6 +16,7 @@ import torch
 from yolov8.checkpoint import CheckpointError, load, network_of
 from yolov8.arguments import input_size
 from yolov8.export import export
+from yolov8.whole_file import whole
 
 LARGEST_ERROR = 1e-3
 
@@ -51,16 +51,14 @@ def main():
     except CheckpointError as fault:
         sys.exit(f"export_detector: {fault}")
     network, size = network_of(facts, tensors), args.size or facts["size"]
-    part = pathlib.Path(args.out + ".part")
     try:
-        export(network, facts["names"], size, part, {"license": "BSD-3-Clause", "author": "The field_fusion authors"})
+        with whole(args.out) as part:
+            export(network, facts["names"], size, part, {"license": "BSD-3-Clause", "author": "The field_fusion authors"})
+            error = difference(part, network, size)
+            if not error <= LARGEST_ERROR:
+                sys.exit(f"export_detector: OpenCV {cv2.__version__} computes outputs that are off by {error:.2g}; nothing written")
     except (OSError, RuntimeError) as fault:
         sys.exit(f"export_detector: {args.out} cannot be written: {fault}")
-    error = difference(part, network, size)
-    if not error <= LARGEST_ERROR:
-        part.unlink()
-        sys.exit(f"export_detector: OpenCV {cv2.__version__} computes outputs that are off by {error:.2g}; nothing written")
-    os.replace(part, args.out)
     print(f"{args.out}: input {size[0]}x{size[1]}, {len(facts['names'])} classes, {os.path.getsize(args.out) / 1e6:.1f} MB, "
           f"OpenCV {cv2.__version__} differs by {error:.1g} at most")
 

@@ -139,4 +139,4 @@ if __name__ == "__main__":
     try:
         main()
     except (RuntimeError, OSError, KeyboardInterrupt) as fault:
-        sys.exit(f"make_dataset: {fault or 'interrupted'}")
+        sys.exit(f"make_dataset: {str(fault) or 'interrupted'}")

@@ -16,6 +16,8 @@ import numpy as np
 import onnx
 from onnx import helper, numpy_helper, shape_inference
 
+from yolov8.whole_file import whole
+
 ELEMENTWISE = {"Add": np.add, "Sub": np.subtract, "Mul": np.multiply, "Div": np.floor_divide}
 
 
@@ -105,9 +107,13 @@ def main():
         model = onnx.load(args.original)
         mended = prepare(model)
         onnx.checker.check_model(model)
-        onnx.save(model, args.out)
     except Exception as error:  # each library below has kinds of its own
         sys.exit(f"prepare_onnx: {args.original}: {error}")
+    try:
+        with whole(args.out) as part:
+            onnx.save(model, str(part))
+    except OSError as error:
+        sys.exit(f"prepare_onnx: {args.out} cannot be written: {error}")
     print(f"{args.out}: {len(mended)} nodes mended" + "".join(f"\n  {name}" for name in mended))
 
 

@@ -62,7 +62,7 @@ def main():
         for kind in ("images", "labels"):
             (args.out / kind / "real").mkdir(parents=True, exist_ok=True)
         for file, bodies in found:
-            write(args.out, f"{file.parent.parent.name}-{file.stem}", file, bodies)
+            write(args.out, f"{file.parent.parent.name}-{file.stem}".replace("_", "-"), file, bodies)
     except (OSError, ValueError) as fault:
         sys.exit(f"real_images: {fault}")
     (args.out / "data.yaml").write_text(yaml.safe_dump({"path": ".", "real": "images/real", "names": NAMES}, sort_keys=False))

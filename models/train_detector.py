@@ -10,6 +10,7 @@ command with --resume goes on where the last checkpoint was. Uses a GPU where to
 """
 import argparse
 import dataclasses
+import fcntl
 import os
 import pathlib
 import signal
@@ -26,6 +27,9 @@ from yolov8.report import Report  # noqa: E402
 from yolov8.train import Settings, Training  # noqa: E402
 
 
+CORES = len(os.sched_getaffinity(0))
+
+
 def arguments():
     default = {field.name: field.default for field in dataclasses.fields(Settings)}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -39,10 +43,10 @@ def arguments():
     parser.add_argument("--size", type=input_size, default=default["size"], help="of the network's input [px]; 640")
     parser.add_argument("--optimizer", choices=("adamw", "sgd"), default=default["optimizer"])
     parser.add_argument("--rate", type=number(float, 0, above=True), help="highest learning rate; default: 0.002 for adamw, 0.01 for sgd")
-    parser.add_argument("--threads", type=number(int, 1), default=len(os.sched_getaffinity(0)), help="of the CPU; all of them")
+    parser.add_argument("--threads", type=number(int, 1, CORES), default=CORES, help="of the CPU; all of them")
     parser.add_argument("--bf16", action="store_true", help="16-bit arithmetic: faster on GPUs, slower on most CPUs")
     whole, part, positive = number(int, 1), number(float, 0, 1), number(float, 0, 4, above=True)
-    kinds = {"width": positive, "depth": positive, "batch": whole, "seed": number(int, 0), "validate": whole, "workers": whole}
+    kinds = {"width": positive, "depth": positive, "batch": whole, "seed": number(int, 0, 2**63 - 1), "validate": whole, "workers": whole}
     for name, help_text in (("width", "share of the channels: 0.25 is YOLOv8n"), ("depth", "share of the blocks: 1/3 is YOLOv8n"),
                             ("batch", "images a step"), ("seed", "of weights and samples"),
                             ("mosaic", "share of samples made of four images"),
@@ -86,12 +90,23 @@ def started(args):
     data, validation = (Dataset(args.data, split, settings.size) for split in ("train", "val"))
     if facts and facts["names"] != data.names:
         raise CheckpointError(f"{last}: its classes are {facts['names']}, those of {args.data} {data.names}")
+    if facts and facts.get("images") != data.fingerprint():
+        raise CheckpointError(f"{last}: was made from other images than the {len(data)} of {args.data}. To train on with these, "
+                              f"name a new OUT and --weights {last}")
     training = Training(settings, data, validation, args.out, Report())
     if facts:
         training.restore(facts, tensors)
     print(f"{len(data)} images to train, {len(validation)} to validate, {len(data.names)} classes, on {training.device} with "
           f"{torch.get_num_threads()} threads, torch {torch.__version__}", flush=True)
     return training
+
+
+def lock(out):
+    """Until this process ends, however it does: two trainings in one folder would overwrite each other's."""
+    try:
+        fcntl.flock(os.open(out, os.O_RDONLY | os.O_DIRECTORY), fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise CheckpointError(f"{out}: another training writes to it") from None
 
 
 def stop_by_signal(training):
@@ -106,11 +121,15 @@ def main():
     args = arguments()
     torch.set_num_threads(args.threads)
     try:
+        pathlib.Path(args.out).mkdir(parents=True, exist_ok=True)
+        lock(args.out)
         training = started(args)
     except (DataError, CheckpointError, ValueError, OSError) as fault:
         sys.exit(f"train_detector: {fault}")
     except KeyboardInterrupt:
         sys.exit("train_detector: interrupted before it began")
+    if training.ended:
+        sys.exit(f"train_detector: {training.out / 'last.pt'} has ended; to train on, name a new OUT and --weights {training.out / 'last.pt'}")
     stop_by_signal(training)
     try:
         training.run()
@@ -118,6 +137,8 @@ def main():
         sys.exit(f"\ntrain_detector: interrupted; --resume goes on from {training.out / 'last.pt'}")
     except FloatingPointError as fault:
         sys.exit(f"train_detector: {fault}")
+    except OSError as fault:
+        sys.exit(f"\ntrain_detector: {args.out} cannot be written: {fault}")
     if training.best < 0:
         sys.exit(f"train_detector: no body to find in {args.data}/images/val: nothing tells which weights are best; {training.out / 'last.pt'} has the last")
     print(f"done: {training.out / 'best.pt'}, mAP50-95 {training.best:.3f}")

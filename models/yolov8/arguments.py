@@ -18,7 +18,7 @@ def number(kind, low, high=float("inf"), above=False):
     """An argument's type: a whole number (int) or any (float) from `low`, or `above` it, to `high`."""
     def read(text):
         value = kind(text)  # argparse tells of a ValueError
-        if not (low < value if above else low <= value) or not value <= high:
+        if not (low < value if above else low <= value) or not value <= high or value == float("inf"):
             raise argparse.ArgumentTypeError(f"{text} is not {'above' if above else 'from'} {low:g}{'' if high == float('inf') else f' to {high:g}'}")
         return value
     read.__name__ = kind.__name__

@@ -1,13 +1,13 @@
 """Files of weights and of the state of a training."""
+import io
 import json
-import os
-import pathlib
 import pickle
 import zipfile
 
 import torch
 
 from .network import YoloV8
+from .whole_file import whole
 
 
 STATE = ("network", "optimizer", "losses")  # tensors of a training that can go on
@@ -18,15 +18,12 @@ class CheckpointError(Exception):
 
 
 def save(path, facts, tensors):
-    """Whole or not at all: a reader never sees half a file, nor does an interruption leave one.
-    `facts` is plain data; it travels as JSON, since torch 1.13 reads no plain number from a file it does not trust."""
-    path = pathlib.Path(path)
-    part = path.with_name(path.name + ".part")
-    with open(part, "wb") as stream:
-        torch.save({"facts": json.dumps(facts), **tensors}, stream)
-        stream.flush()
-        os.fsync(stream.fileno())
-    os.replace(part, path)
+    """`facts` is plain data; it travels as JSON, since torch 1.13 reads no plain number from a file it does not trust.
+    Raises OSError."""
+    content = io.BytesIO()  # torch ends the process where a file cannot be written to
+    torch.save({"facts": json.dumps(facts), **tensors}, content)
+    with whole(path) as part:
+        part.write_bytes(content.getbuffer())
 
 
 def contents(path):

@@ -1,5 +1,6 @@
 """A folder of labelled images: images/SPLIT/NAME.jpg, labels/SPLIT/NAME.txt and data.yaml with the `names`."""
 import pathlib
+import zlib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -36,6 +37,8 @@ def class_names(folder):
             names = [name for _, name in sorted(numbered(names))]
         if not names or not all(isinstance(name, str) for name in names):
             raise ValueError("'names' is no list of words")
+        if len(set(names)) < len(names):
+            raise ValueError("'names' has a name twice")
     except (OSError, KeyError, TypeError, ValueError, yaml.YAMLError) as fault:
         raise DataError(f"{path}: no class names: {fault}") from None
     return list(names)
@@ -99,6 +102,10 @@ class Dataset:
 
     def __len__(self):
         return len(self.samples)
+
+    def fingerprint(self):
+        """Of which images these are, by their names."""
+        return zlib.crc32("\n".join(path.name for path in self.paths).encode())
 
     def _load(self, path):
         labels = self.folder / "labels" / self.split / (path.stem + ".txt")

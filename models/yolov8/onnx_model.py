@@ -6,7 +6,7 @@ import torch
 
 from .detections import Detections, detections_of, suppressed
 from .network import BOX_ROWS, STRIDES
-from .onnx_weights import names_of
+from .onnx_weights import check_finite, names_of
 
 
 class OnnxError(Exception):
@@ -19,6 +19,7 @@ class OnnxModel:
             model = onnx.load(str(path))
             self.net = cv2.dnn.readNetFromONNX(str(path))
             self.names = names_of(model)
+            check_finite(model)
         except Exception as fault:  # each of the two libraries has kinds of its own
             raise OnnxError(f"{path}: {fault}") from None
         shape = [d.dim_value for d in model.graph.input[0].type.tensor_type.shape.dim]

@@ -1,6 +1,7 @@
 """The weights of an exported detector, to train it on: the file has no normalisation any more, so a new one is made."""
 import ast
 
+import numpy as np
 import onnx
 import torch
 from onnx import numpy_helper
@@ -20,6 +21,14 @@ def names_of(model):
         raise ValueError("it does not name its classes")
     names = ast.literal_eval(metadata["names"])
     return [names[i] for i in range(len(names))]
+
+
+def check_finite(model):
+    """ValueError where a weight is none."""
+    for tensor in model.graph.initializer:
+        value = numpy_helper.to_array(tensor)
+        if value.dtype.kind == "f" and not np.isfinite(value).all():
+            raise ValueError(f"{tensor.name} has weights that are no numbers")
 
 
 def folded_weights(model):
@@ -56,6 +65,7 @@ def unfolded(path, images, **shape):
     """(network, names) that compute what the file does, in evaluation mode. `images`: Nx3xHxW, 0..1, whose channels'
     means and variances the normalisations take. ValueError where the file is no YoloV8 of this width and depth."""
     model = onnx.load(str(path))
+    check_finite(model)
     names, weights, hooks = names_of(model), folded_weights(model), []
     network = YoloV8(len(names), **shape).eval()
     for name, module in network.named_modules():

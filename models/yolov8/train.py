@@ -64,7 +64,7 @@ class Training:
         self.plan = Plan(settings.epochs, settings.minutes)
         torch.manual_seed(settings.seed)
         network = first_network(settings, data)
-        self.names = data.names
+        self.names, self.images = data.names, data.fingerprint()
         self.network = network.to(self.device, memory_format=torch.channels_last)
         self.average = Average(self.network)
         self.optimizer, self.rate = make_optimizer(self.network, settings)
@@ -77,7 +77,7 @@ class Training:
 
     # -- state ------------------------------------------------------------------------------------------
     def save(self, name="last.pt", with_state=True):
-        facts = {"config": self.network.config, "names": self.names, "size": self.settings.size,
+        facts = {"config": self.network.config, "names": self.names, "size": self.settings.size, "images": self.images,
                  "settings": dataclasses.asdict(self.settings), "history": self.history}
         tensors = {"weights": self.average.network.state_dict()}
         if with_state:
@@ -161,10 +161,14 @@ class Training:
         self.report.epoch(self)
         return done
 
+    @property
+    def ended(self):
+        return bool(self.history) and self.progress() >= 1
+
     def run(self):
         self.out.mkdir(parents=True, exist_ok=True)
         self.saved_at = time.monotonic()
-        done = bool(self.history) and self.progress() >= 1
+        done = self.ended
         while not done:
             self.run_epoch()
             done = self.end_epoch()

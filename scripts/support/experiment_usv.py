@@ -33,6 +33,9 @@ def check(given):
     unknown = set(given.places or []) - known
     if unknown:
         raise ValueError(f"no such place: {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
+    asked = {str(place) for part in (usv_positions.TABLE, usv_positions.FURTHER) if part.name in given.parts for place in part.places}
+    if given.places and not asked & set(given.places):
+        raise ValueError(f"none of --places {' '.join(given.places)} is of --parts {' '.join(given.parts)}")
     if set(given.parts) <= {"timing"}:
         given.detections = "truth"  # a detector has no part in it
     if given.detections == "truth" and "latency" in given.parts:

@@ -21,8 +21,8 @@ def wilson(hits, n):
 
 
 def bootstrap(values, statistic, resamples=2000):
-    """Percentile interval of a statistic (Efron 1979); the same for the same values."""
-    if not values:
+    """Percentile interval of a statistic (Efron 1979); the same for the same values. One value has none."""
+    if len(values) < 2:
         return math.nan, math.nan
     draw = random.Random(1)
     results = sorted(statistic(draw.choices(values, k=len(values))) for _ in range(resamples))

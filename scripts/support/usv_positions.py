@@ -41,6 +41,7 @@ class Row(typing.NamedTuple):
     seed: int
     frames: int
     found: int
+    paper_found: int  # by the paper's method
     face: float  # m, true range
     centre: float  # m, true range
     azimuth: float  # deg, true
@@ -116,7 +117,7 @@ def row(place, seed, answers):
     faces, centres, azimuths, errors = zip(*map(measured, answers))
     columns = list(zip(*errors))
     single = [statistics.fmean(map(abs, known(column) or [math.nan])) for column in columns]
-    return Row(place, seed, len(errors), len(known(columns[0])), median(faces), median(centres), median(azimuths),
+    return Row(place, seed, len(errors), len(known(columns[0])), len(known(columns[3])), median(faces), median(centres), median(azimuths),
                Errors(*map(median, columns)), Errors(*single))
 
 
@@ -139,6 +140,7 @@ def run(experiment, methods, part):
             rows.append(row(place, seed, stages.play(bag)))
             experiment.done(bag)
             experiment.say("{0.place:>6} seed {0.seed}: found in {0.found} of {0.frames}, at {0.face:.2f} m: face {1.face:+.3f} m, "
-                           "centre {1.centre:+.3f} m, angle {1.angle:+.2f} deg".format(rows[-1], rows[-1].errors))
+                           "centre {1.centre:+.3f} m, angle {1.angle:+.2f} deg".format(rows[-1], rows[-1].errors)
+                           if rows[-1].found else "{0.place:>6} seed {0.seed}: not found in {0.frames}".format(rows[-1]))
     stages.close()
     return rows

@@ -12,6 +12,7 @@ from yolov8.network import YoloV8
 
 onnx = pytest.importorskip("onnx", reason="python3-onnx is not installed")
 from onnx import numpy_helper  # noqa: E402
+from yolov8.onnx_model import OnnxError, OnnxModel  # noqa: E402
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "models/average_detectors.py"
 
@@ -47,6 +48,17 @@ def test_a_detector_with_itself_is_itself(tmp_path):
     assert all(np.array_equal(value, weights(a)[name]) for name, value in weights(tmp_path / "out.onnx").items())
 
 
+def test_weights_that_are_no_numbers_are_refused(tmp_path):
+    a, model = exported(tmp_path / "a.onnx", 1), onnx.load(str(tmp_path / "a.onnx"))
+    tensor = next(t for t in model.graph.initializer if t.name == "head.scores.0.2.bias")
+    tensor.CopyFrom(numpy_helper.from_array(numpy_helper.to_array(tensor) * np.float32(np.nan), tensor.name))
+    onnx.save(model, str(tmp_path / "odd.onnx"))
+    done = run(a, tmp_path / "odd.onnx", tmp_path / "out.onnx")
+    assert done.returncode == 1 and "odd.onnx: head.scores.0.2.bias has weights that are no numbers" in done.stderr
+    with pytest.raises(OnnxError, match="odd.onnx.*no numbers"):
+        OnnxModel(tmp_path / "odd.onnx")
+
+
 def test_what_does_not_fit_is_refused(tmp_path):
     a = exported(tmp_path / "a.onnx", 1)
     (tmp_path / "torn.onnx").write_bytes(a.read_bytes()[:1000])
@@ -56,5 +68,9 @@ def test_what_does_not_fit_is_refused(tmp_path):
         done = run(a, other, tmp_path / "out.onnx")
         assert done.returncode == 1 and words in done.stderr and "Traceback" not in done.stderr
     assert run(a, a, tmp_path / "out.onnx", "--share", "1.5").returncode == 2
-    assert run(a, a, tmp_path / "no/out.onnx").returncode == 1
+    (tmp_path / "folder").mkdir()
+    for out in ("no/out.onnx", "folder"):
+        done = run(a, a, tmp_path / out)
+        assert done.returncode == 1 and f"{out} cannot be written" in done.stderr and "Traceback" not in done.stderr
+    assert not list(tmp_path.glob("*.part"))
     assert not (tmp_path / "out.onnx").exists()

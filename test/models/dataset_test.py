@@ -59,7 +59,7 @@ def test_names_are_a_list_or_numbered(tmp_path, text):
 
 
 @pytest.mark.parametrize("text", ["", "names: []", "classes: [a]", "names: {0: a, 2: b}", "names: [1, 2]", "a: [", "names: 5",
-                                  "names: {0: a, x: b}"])
+                                  "names: {0: a, x: b}", "names: [a, a]"])
 def test_bad_names_are_refused(tmp_path, text):
     (tmp_path / "data.yaml").write_text(text)
     with pytest.raises(DataError, match="data.yaml"):

@@ -1,6 +1,9 @@
 """The training as a program: it learns, and an interruption changes nothing."""
 import csv
+import fcntl
+import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -114,6 +117,40 @@ def test_program_does_not_resume_what_another_version_began(shapes_folder, tmp_p
     save(tmp_path / "last.pt", facts, {"weights": {}, "network": {}, "optimizer": {}, "losses": {}})
     done = run(shapes_folder, tmp_path, "--resume")
     assert done.returncode == 1 and "another version" in done.stderr and "colour" in done.stderr
+
+
+def test_program_does_not_resume_what_has_ended_nor_with_other_images(shapes_folder, tmp_path):
+    training_of(shapes_folder, tmp_path / "out", epochs=1).run()
+    done = run(shapes_folder, tmp_path / "out", "--resume")
+    assert done.returncode == 1 and "has ended" in done.stderr and "Traceback" not in done.stderr
+    other = shutil.copytree(shapes_folder, tmp_path / "other")
+    next((other / "images/train").iterdir()).unlink()
+    done = run(other, tmp_path / "out", "--resume")
+    assert done.returncode == 1 and "other images" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_two_programs_do_not_write_to_one_folder(shapes_folder, tmp_path):
+    held = os.open(tmp_path, os.O_RDONLY)
+    fcntl.flock(held, fcntl.LOCK_EX)
+    done = run(shapes_folder, tmp_path, "--epochs", 1)
+    os.close(held)
+    assert done.returncode == 1 and "another training writes to it" in done.stderr and not (tmp_path / "last.pt").exists()
+
+
+@pytest.mark.parametrize("out", ["file", "file/below"])
+def test_program_names_a_folder_that_cannot_be(shapes_folder, tmp_path, out):
+    (tmp_path / "file").write_text("")
+    done = run(shapes_folder, tmp_path / out, "--epochs", 1)
+    assert done.returncode == 1 and out in done.stderr and "Traceback" not in done.stderr
+
+
+def test_program_tells_of_a_full_disk_and_leaves_no_part(shapes_folder, tmp_path):
+    def small_files():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # then writing fails, as on a full disk
+        resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+    done = run(shapes_folder, tmp_path, "--epochs", 1, "--width", "0.125", "--size", "96x64", preexec_fn=small_files)
+    assert done.returncode == 1 and "cannot be written" in done.stderr and "Traceback" not in done.stderr
+    assert not list(tmp_path.glob("*.part"))
 
 
 def test_program_does_not_overwrite_a_training(shapes_folder, tmp_path):

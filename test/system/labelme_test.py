@@ -104,6 +104,15 @@ def test_a_fault_is_named_and_nothing_is_written(what, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("kept, said", [(0, "cannot be read"), (-40, "is cut short")])
+def test_a_damaged_picture_is_named(tmp_path, kept, said):
+    write(tmp_path / "in", "a", [], imagePath="a.jpg")
+    content = cv2.imencode(".jpg", numpy.random.default_rng(0).integers(0, 255, (HEIGHT, WIDTH, 3), numpy.uint8))[1].tobytes()
+    (tmp_path / "in/a.jpg").write_bytes(content[:kept])
+    done = rosrun("labelme_to_yolo", tmp_path / "in", tmp_path / "out")
+    assert done.returncode != 0 and said in done.stderr and "a.jpg" in done.stderr and "Traceback" not in done.stderr
+
+
 def test_a_folder_that_is_in_use_is_refused(tmp_path):
     for name in "ab":
         write(tmp_path / "in", name, [shape("boat", [[1, 1], [9, 9]])])

@@ -100,3 +100,10 @@ def test_file_that_is_no_network_is_named(tmp_path):
                           text=True, stderr=subprocess.PIPE)
     assert done.returncode == 1 and "notes.onnx" in done.stderr and "Traceback" not in done.stderr
     assert not (tmp_path / "out.onnx").exists()
+
+
+def test_output_that_cannot_be_written_is_named(tmp_path):
+    onnx.save(as_exported(), str(tmp_path / "model.onnx"))
+    done = subprocess.run([sys.executable, ROOT / "models/prepare_onnx.py", tmp_path / "model.onnx", tmp_path / "no/out.onnx"],
+                          text=True, stderr=subprocess.PIPE)
+    assert done.returncode == 1 and "no/out.onnx cannot be written" in done.stderr and "Traceback" not in done.stderr

@@ -68,7 +68,7 @@ def test_report_counts_and_averages():
     lines = scene_report.report([([truth], [found]), ([truth], [])])
     assert lines[1].split() == ["car", "0", "1/2", "1/2", "1", "+0.20", "m", "+0.00", "deg"]
     assert lines[2].startswith("figure scene/found 0.5 - n=2 ci=[")
-    assert lines[3] == "figure scene/range_mae 0.2 m n=1 ci=[0.2,0.2]"
+    assert lines[3] == "figure scene/range_mae 0.2 m n=1 ci=[nan,nan]"
 
 
 def test_report_of_nothing_is_not_a_number():

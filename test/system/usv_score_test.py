@@ -12,6 +12,7 @@ import sim_world
 import stand_in
 import usv_harbour
 import usv_positions
+import usv_report
 from sim_bag import Body
 
 
@@ -63,6 +64,31 @@ def package(monkeypatch):
     from conftest import ROOT
 
     monkeypatch.setattr("stage_run.package", lambda: ROOT)
+
+
+def placed(place, found, error, paper_found=100):
+    errors = usv_positions.Errors(*[error] * 3, *[0.25 if paper_found else math.nan] * 2)
+    return usv_positions.Row(place, 1, 100, found, paper_found, 2.0, 2.3, 0.0, errors, errors)
+
+
+def test_a_missed_place_is_told_and_in_no_error():
+    rows = [placed("0200", 100, 0.01), placed("0410", 0, math.nan, 0), placed("0510", 50, -0.03)]
+    lines = list(usv_report.lines(usv_positions.TABLE, rows))
+    assert lines[0] == "FOUND IN NO CLOUD, and so in no error below: 0410 seed 1"
+    assert lines[1].startswith("figure usv/table1/found 0.5 - n=300 ") and lines[2].startswith("figure usv/table1/places_found 0.6667 - n=3 ")
+    assert "figure usv/table1/face_mae 0.02 m n=2 ci=[0.01,0.03]" in lines
+    assert "figure usv/table1/paper_distance_mae/paper_method 0.25 m n=2 ci=[0.25,0.25]" in lines
+    table = {line.split()[0]: line for line in usv_report.table(rows)}
+    assert "50 of 100" in table["0510"] and "0.030 m" in table["0510"] and "0 of 100         -" in table["0410"]
+    assert "nan" not in "".join(table.values())
+    far = list(usv_report.far_table(rows))
+    assert "nan" not in "".join(far) and far[3].endswith("0 of 100")
+
+
+def test_a_table_of_nothing_found_has_no_figure():
+    rows = [placed("0200", 0, math.nan, 0)]
+    assert "figure usv/far/face_mae nan m n=0 ci=[nan,nan]" in usv_report.lines(usv_positions.FURTHER, rows)
+    assert not any("nan" in line for line in usv_report.table(rows))
 
 
 def test_a_degraded_sensor_has_its_errors_multiplied_and_no_other(package):
