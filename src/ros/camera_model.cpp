@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,19 @@ bool isRotation(const boost::array<double, 9>& r) {
   return true;
 }
 
+/// Of a lens that lets something be seen: not all the world in one pixel, nor one point in all the image.
+bool isPlausible(double focal, double middle, double side) {
+  return focal > 1e-3 * side && focal < 1e4 * side && std::abs(middle) < 100.0 * side;
+}
+
+void checkPlausible(const char* name, double fx, double cx, double fy, double cy, const sensor_msgs::CameraInfo& info) {
+  if (isPlausible(fx, cx, info.width) && isPlausible(fy, cy, info.height)) return;
+  std::ostringstream text;
+  text << "camera info is not plausible: of an image of " << info.width << "x" << info.height << " pixels, " << name
+       << " has focal lengths " << fx << " and " << fy << ", middle " << cx << ", " << cy;
+  throw std::runtime_error(text.str());
+}
+
 /// The info as image_geometry reads it; throws where it does not describe a camera.
 sensor_msgs::CameraInfo checked(sensor_msgs::CameraInfo info) {
   const auto focal = [](double fx, double fy) { return std::to_string(fx) + " and " + std::to_string(fy); };
@@ -36,6 +50,8 @@ sensor_msgs::CameraInfo checked(sensor_msgs::CameraInfo info) {
                              focal(info.P[0], info.P[5]));
   if (info.width == 0 || info.height == 0)
     throw std::runtime_error("camera info has no size: width or height is 0");
+  checkPlausible("K", info.K[0], info.K[2], info.K[4], info.K[5], info);
+  checkPlausible("P", info.P[0], info.P[2], info.P[5], info.P[6], info);
   // Without distortion image_geometry hands pixels back as they are, so that K describes them and not P; and
   // drivers name such a model as they like.
   if (std::all_of(info.D.begin(), info.D.end(), [](double d) { return d == 0.0; })) {

@@ -2,10 +2,17 @@
 
 #include <ros/console.h>
 
+#include "field_fusion/core/detect/class_names.h"
+
 namespace field_fusion {
 
 DetectTask::DetectTask(const core::DetectParams& params)
-    : detector_(core::readOnnxFile(params.model), params.class_file, params.inference) {
+    : DetectTask(core::readOnnxFile(params.model), params) {}
+
+DetectTask::DetectTask(const core::OnnxFile& model, const core::DetectParams& params)
+    : detector_(model, params.class_file, params.inference) {
+  const auto contradiction = core::contradictionOf(model, detector_.classNames());
+  if (!contradiction.empty()) ROS_WARN_STREAM("class file '" << params.class_file << "': " << contradiction);
   ROS_INFO_STREAM("the detector runs on " << detector_.backend());
 }
 

@@ -140,14 +140,14 @@ void Stage::updateSubscriptions() {
 
 void Stage::onArrival(InputPort& port, Arrival arrival, const std::string& damage) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto stamp = arrival.message.stamp, before = port.last.stamp;
+  const auto stamp = arrival.message.stamp;
   ++port.received;
   port.missing += gapBefore(arrival.seq, port.last_seq);
   port.last_seq = arrival.seq;
   port.last_arrival = arrival.at;
   port.last = arrival.message;
   if (!damage.empty()) return fault(port, stamp, damage);
-  if (!inOrder(port, before, arrival)) return;
+  if (!inOrder(port, arrival)) return;
   if (!waits(port) && isReady(arrival)) {
     handle(port, arrival);
     return release();  // what waits on another input may have waited for this
@@ -186,7 +186,7 @@ void Stage::release() {
   if (held_.empty()) hold_timer_.stop();
 }
 
-bool Stage::inOrder(InputPort& port, const ros::Time& before, const Arrival& arrival) {
+bool Stage::inOrder(InputPort& port, const Arrival& arrival) {
   const ros::Time& stamp = arrival.message.stamp;
   if (stamp.isZero()) {
     fault(port, stamp, "stamp is zero");
@@ -198,10 +198,11 @@ bool Stage::inOrder(InputPort& port, const ros::Time& before, const Arrival& arr
     return false;
   }
   switch (port.order.check(nanoseconds(stamp), arrival.revision)) {
-    case core::StampOrder::Verdict::kNewer:
-      return true;
     case core::StampOrder::Verdict::kTimeJump:
-      jump(port, before, stamp);
+      jump(port, port.believed, stamp);
+      [[fallthrough]];
+    case core::StampOrder::Verdict::kNewer:
+      port.believed = stamp;
       return true;
     case core::StampOrder::Verdict::kOutOfOrder:
       fault(port, stamp, "stamp out of order: not newer than the last");

@@ -78,6 +78,14 @@ TEST(CameraModel, WhatDescribesNoCameraIsNamed) {
   EXPECT_TRUE(test::says(faultAfter([](Info& i) { i.D = {1e9, -1e9, 0.0, 0.0, 1e9}; }), "turns the image inside out"));
 }
 
+TEST(CameraModel, LensesThatSeeNothingAreNamed) {
+  const std::string words = "camera info is not plausible: of an image of 64x64 pixels, K has focal lengths ";
+  EXPECT_EQ(faultAfter([](auto& i) { i.K[0] = 1e-30; }), words + "1e-30 and 20, middle 32, 32");
+  EXPECT_EQ(faultAfter([](auto& i) { i.K[4] = 1e9; }), words + "20 and 1e+09, middle 32, 32");
+  EXPECT_EQ(faultAfter([](auto& i) { i.K[2] = -1e9; }), words + "20 and 20, middle -1e+09, 32");
+  EXPECT_NE(faultAfter([](auto& i) { i.P[6] = 1e9; }).find("P has focal lengths"), std::string::npos);
+}
+
 TEST(CameraModel, DriversWithoutDistortionMayLeaveRAtZero) {
   auto bare = info();
   bare.R.assign(0.0);

@@ -36,6 +36,8 @@ class DetectTask {
   DetectResult operator()(const DetectJob& job);
 
  private:
+  DetectTask(const core::OnnxFile& model, const core::DetectParams& params);
+
   core::YoloDetector detector_;
 };
 

@@ -54,6 +54,7 @@ struct InputPort {
   FaultLog faults;
   core::Latency latency;  ///< from arrival to the end of its processing
   MessageTrace last;
+  ros::Time believed;  ///< stamp of the last message that was in order
   ros::WallTime last_arrival;
   std::uint64_t received = 0, processed = 0, skipped = 0;
   std::uint64_t missing = 0;   ///< gaps of header.seq: sent, but never arrived

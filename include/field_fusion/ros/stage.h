@@ -171,7 +171,7 @@ class Stage : public nodelet::Nodelet {
   static std::shared_ptr<void> link(const InputPort& port);
   void updateSubscriptions();
   void onArrival(InputPort& port, Arrival arrival, const std::string& damage);
-  bool inOrder(InputPort& port, const ros::Time& before, const Arrival& arrival);
+  bool inOrder(InputPort& port, const Arrival& arrival);
   void jump(InputPort& port, const ros::Time& before, const ros::Time& stamp);
   void handle(InputPort& port, const Arrival& arrival);
   bool attempt(InputPort& port, const ros::Time& stamp, const std::function<void()>& work);

@@ -30,8 +30,8 @@ void SyncParams::declare(Params& p) {
   p.number(
       "partner_timeout", partner_timeout, {0.0, 3600.0}, "s", When::kLive,
       "How long clusters wait for detections, and how long a sensor may be silent before nobody waits for "
-      "it (wall time). Above the period and latency of the detector; a slower LiDAR has one and a "
-      "half of its own periods.");
+      "it (wall time). Above the period and latency of the detector; a sensor with a longer period "
+      "counts as silent after one and a half of its own.");
   p.rule([this] { return std::set<std::string>(cameras.begin(), cameras.end()).size() == cameras.size(); },
          "cameras has a name twice");
   p.rule([this] { return std::all_of(cameras.begin(), cameras.end(), isRelativeTopic); },
@@ -71,8 +71,8 @@ bool Sync::Frame::answered() const {
 void Sync::reset() {
   cameras_.assign(params_.cameraCount(), {});
   waiting_.clear();
-  start_ = lidar_heard_ = kNaN;
-  lidar_spacing_ = {};
+  start_ = kNaN;
+  lidar_heard_ = {};
   last_clusters_ = released_ = -kInfinity;
 }
 
@@ -80,8 +80,7 @@ bool Sync::addClusters(double stamp, double now, const Message& clusters) {
   if (stamp <= last_clusters_) reset();
   hear(now);
   last_clusters_ = stamp;
-  if (!std::isnan(lidar_heard_)) lidar_spacing_.add(now - lidar_heard_);
-  lidar_heard_ = now;
+  lidar_heard_.add(now);
   const bool camera =
       std::any_of(cameras_.begin(), cameras_.end(), [&](const Camera& c) { return !silent(c.heard, now); });
   if (!camera || stamp <= released_) {
@@ -101,7 +100,7 @@ bool Sync::addDetections(std::size_t camera, double stamp, double now, const Mes
   if (const auto& items = cameras_.at(camera).items; !items.empty() && stamp <= items.back().stamp) reset();
   hear(now);
   Camera& c = cameras_[camera];
-  c.heard = now;
+  c.heard.add(now);
   if (!c.items.empty()) c.spacing.add(stamp - c.items.back().stamp);
   c.items.push_back({stamp, now, detections});
   while (!c.unanswered.empty() && c.unanswered.front() < stamp - params_.max_interval)
@@ -123,9 +122,15 @@ void Sync::hear(double now) {
   if (std::isnan(start_)) start_ = now;
 }
 
+void Sync::Heard::add(double now) {
+  if (!std::isnan(at)) arrivals.add(now - at);
+  at = now;
+}
+
 /// A sensor that has not been heard yet counts from the first message of any.
-bool Sync::silent(double heard, double now) const {
-  return now - (std::isnan(heard) ? start_ : heard) >= params_.partner_timeout;
+bool Sync::silent(const Heard& heard, double now) const {
+  const double patience = std::max(params_.partner_timeout, kPatience * heard.arrivals.least());
+  return now - (std::isnan(heard.at) ? start_ : heard.at) >= patience;
 }
 
 bool Sync::settled(const Camera& camera, double stamp, double now) const {
@@ -150,16 +155,9 @@ std::optional<Sync::Frame> Sync::next(double now) {
   return release();
 }
 
-/// A slow LiDAR is not silent between two of its clusters: a camera that led there would say a last word on an
-/// instant on which the clusters then have theirs.
-bool Sync::lidarSilent(double now) const {
-  if (!silent(lidar_heard_, now)) return false;
-  return std::isnan(lidar_heard_) || now - lidar_heard_ >= kPatience * lidar_spacing_.least();
-}
-
 /// The LiDAR is silent: what a camera has seen since waits for the other cameras.
 void Sync::lead(double now) {
-  if (std::isnan(start_) || !lidarSilent(now)) return;
+  if (std::isnan(start_) || !silent(lidar_heard_, now)) return;
   double last = std::max(last_clusters_, released_);
   if (!waiting_.empty()) last = std::max(last, waiting_.back().first.stamp);
   const auto first = [this](const auto& holds) {

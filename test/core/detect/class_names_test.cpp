@@ -35,6 +35,15 @@ TEST(ClassNamesOf, RefusesWhatIsNoDictionary) {
                  "does not name its classes"));
 }
 
+TEST(ContradictionOf, NamesTheFirstClassThatIsCalledOtherwise) {
+  OnnxFile model;
+  EXPECT_EQ(contradictionOf(model, {"a"}), "") << "the file has no names";
+  model.metadata["names"] = "{0: 'cage', 1: 'boat'}";
+  EXPECT_EQ(contradictionOf(model, {"cage", "boat"}), "");
+  EXPECT_EQ(contradictionOf(model, {"cage", "ship"}), "class 1 is 'ship', in the model file 'boat'");
+  EXPECT_EQ(contradictionOf(model, {"cage"}), "") << "its names do not fit the model anyway";
+}
+
 TEST(ReadClassNames, TakesOneNameALine) {
   const std::string path = detectTempFile("names.txt", "person\r\n  traffic light \ncar\n\n");
   EXPECT_EQ(readClassNames(path, 3), (Names{"person", "traffic light", "car"}));

@@ -104,6 +104,24 @@ TEST_F(SyncTest, LidarSlowerThanTheTimeoutHasOneLastWordOfEachInstantAndItsEndIs
   EXPECT_GE(seen.size(), 30u) << "what came meanwhile is not lost";
 }
 
+/// Both at 1 Hz with equal stamps, the boxes 0.01 s after their clusters.
+TEST_F(SyncTest, SensorsSlowerThanTheTimeoutPairAndTheCamerasEndIsSeen) {
+  std::vector<double> stamps;
+  for (int i = 0; i < 20; ++i) {
+    clusters(100.0 + i, i);
+    for (const double stamp : out(i)) stamps.push_back(stamp);
+    detections(100.0 + i, i + 0.01);
+    for (const double stamp : out(i + 0.01)) stamps.push_back(stamp);
+  }
+  ASSERT_GE(stamps.size(), 14u);
+  EXPECT_TRUE(std::all_of(stamps.end() - 14, stamps.end(), [](double s) { return s > 0; }));
+  EXPECT_EQ(stamps.back(), 119.0);
+  EXPECT_TRUE(clusters(120.0, 20.0));
+  EXPECT_EQ(out(20.49), Stamps{});
+  EXPECT_EQ(out(20.5), Stamps{-120.0}) << "nobody waits longer than the timeout";
+  EXPECT_FALSE(clusters(121.0, 21.0)) << "silent for 1.99 s";
+}
+
 TEST_F(SyncTest, FramesKeepTheOrderOfClusters) {
   clusters(10.0, 0.0), clusters(10.1, 0.1), clusters(10.2, 0.2);
   detections(10.2, 0.3);

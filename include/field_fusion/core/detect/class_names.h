@@ -15,4 +15,7 @@ std::vector<std::string> classNamesOf(const OnnxFile& model, int classes);
 /// any other has one name a line. std::runtime_error where it cannot be read or its count is not `classes`.
 std::vector<std::string> readClassNames(const std::string& path, int classes);
 
+/// The first name by which the model file itself contradicts `names`, for a human; empty where it agrees or has none.
+std::string contradictionOf(const OnnxFile& model, const std::vector<std::string>& names);
+
 }  // namespace field_fusion::core

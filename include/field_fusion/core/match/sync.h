@@ -42,10 +42,11 @@ class Spacing {
 /// `max_interval`; decided as soon as no later one can be nearer, or near enough: when one with a stamp not
 /// before the clusters' has come, or the camera's least spacing tells that the next will lie farther off, or
 /// nearer by no more than a tenth of `max_interval`, which is not worth a period of the camera.
-/// Nobody waits longer than `partner_timeout`, nor for a camera that has been silent for so long. Every
+/// Nobody waits longer than `partner_timeout`, nor for a camera that is silent: for so long, and for one and a half
+/// of its own periods, so that a slow sensor is not silent between two of its messages. Every
 /// cluster array that waits comes out once, in the order of stamps, with those cameras that answered.
 ///
-/// While the LiDAR is silent, for `partner_timeout` and for one and a half of its own periods, the detections of the first camera that is not are what the others are brought
+/// While the LiDAR is silent, the detections of the first camera that is not are what the others are brought
 /// to, and come out without clusters.
 ///
 /// Stamps and wall times are in seconds; every call is given the wall time. Keeps no clock of its own.
@@ -93,10 +94,15 @@ class Sync {
     double stamp, arrival;
     Message message;
   };
+  struct Heard {
+    double at = kNaN;  // wall time; NaN: not yet
+    Spacing arrivals;
+    void add(double now);
+  };
   struct Camera {
     std::deque<Item> items;  // by stamp
-    Spacing spacing;
-    double heard = kNaN;            // wall time; NaN: not yet
+    Spacing spacing;         // of stamps
+    Heard heard;
     std::deque<double> unanswered;  // stamps that went on without this camera
   };
   struct Waiting {
@@ -106,11 +112,10 @@ class Sync {
   static constexpr std::size_t kQueue = 64;
   static constexpr double kMemory = 1.0;  // [s]
   static constexpr double kSlack = 0.1;   // of max_interval
-  static constexpr double kPatience = 1.5;  // periods of the LiDAR
+  static constexpr double kPatience = 1.5;  // periods of a sensor
 
   void hear(double now);
-  bool silent(double heard, double now) const;
-  bool lidarSilent(double now) const;
+  bool silent(const Heard& heard, double now) const;
   bool settled(const Camera& camera, double stamp, double now) const;
   bool ready(const Waiting& waiting, double now) const;
   void lead(double now);
@@ -122,8 +127,7 @@ class Sync {
   std::vector<Camera> cameras_;
   std::deque<Waiting> waiting_;  // by stamp
   double start_ = kNaN;          // wall time of the first message
-  double lidar_heard_ = kNaN;
-  Spacing lidar_spacing_;        // of arrivals
+  Heard lidar_heard_;
   double last_clusters_, released_;  // stamps
   Counts counts_;
 };
