@@ -25,7 +25,7 @@ class Sample:
 
 def numbered(names):
     if sorted(names) != list(range(len(names))):
-        raise ValueError(f"'names' are numbered {', '.join(map(str, names))}, not 0 to {len(names) - 1}")
+        raise ValueError(f"'names' are numbered {', '.join(map(repr, names))}, not 0 to {len(names) - 1}")
     return names.items()
 
 

@@ -113,6 +113,12 @@ def test_a_damaged_picture_is_named(tmp_path, kept, said):
     assert done.returncode != 0 and said in done.stderr and "a.jpg" in done.stderr and "Traceback" not in done.stderr
 
 
+def test_a_share_that_leaves_nothing_to_train_with_is_refused(tmp_path):
+    write(tmp_path / "in", "a", [])
+    done = rosrun("labelme_to_yolo", tmp_path / "in", tmp_path / "out", "--test-share", "0.9")
+    assert done.returncode != 0 and "none to train with" in done.stderr and not (tmp_path / "out").exists()
+
+
 def test_a_folder_that_is_in_use_is_refused(tmp_path):
     for name in "ab":
         write(tmp_path / "in", name, [shape("boat", [[1, 1], [9, 9]])])
