@@ -52,13 +52,10 @@ def main():
     try:
         model = read(args.earlier)
         average(model, read(args.later), args.share)
-    except ValueError as fault:
-        sys.exit(f"average_detectors: {fault}")
-    try:
         with whole(args.out) as part:
             onnx.save(model, str(part))
-    except OSError as fault:
-        sys.exit(f"average_detectors: {args.out} cannot be written: {fault}")
+    except (OSError, ValueError) as fault:
+        sys.exit(f"average_detectors: {fault}")
     print(f"{args.out}: {1.0 - args.share:g} of {args.earlier}, {args.share:g} of {args.later}")
 
 

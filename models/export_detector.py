@@ -57,7 +57,9 @@ def main():
             error = difference(part, network, size)
             if not error <= LARGEST_ERROR:
                 sys.exit(f"export_detector: OpenCV {cv2.__version__} computes outputs that are off by {error:.2g}; nothing written")
-    except (OSError, RuntimeError) as fault:
+    except OSError as fault:
+        sys.exit(f"export_detector: {fault}")
+    except RuntimeError as fault:  # of torch, also where it cannot write
         sys.exit(f"export_detector: {args.out} cannot be written: {fault}")
     print(f"{args.out}: input {size[0]}x{size[1]}, {len(facts['names'])} classes, {os.path.getsize(args.out) / 1e6:.1f} MB, "
           f"OpenCV {cv2.__version__} differs by {error:.1g} at most")

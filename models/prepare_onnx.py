@@ -113,7 +113,7 @@ def main():
         with whole(args.out) as part:
             onnx.save(model, str(part))
     except OSError as error:
-        sys.exit(f"prepare_onnx: {args.out} cannot be written: {error}")
+        sys.exit(f"prepare_onnx: {error}")
     print(f"{args.out}: {len(mended)} nodes mended" + "".join(f"\n  {name}" for name in mended))
 
 

@@ -138,7 +138,7 @@ def main():
     except FloatingPointError as fault:
         sys.exit(f"train_detector: {fault}")
     except OSError as fault:
-        sys.exit(f"\ntrain_detector: {args.out} cannot be written: {fault}")
+        sys.exit(f"\ntrain_detector: {args.out}: {fault}")
     if training.best < 0:
         sys.exit(f"train_detector: no body to find in {args.data}/images/val: nothing tells which weights are best; {training.out / 'last.pt'} has the last")
     print(f"done: {training.out / 'best.pt'}, mAP50-95 {training.best:.3f}")

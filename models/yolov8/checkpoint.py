@@ -9,7 +9,6 @@ import torch
 from .network import YoloV8
 from .whole_file import whole
 
-
 STATE = ("network", "optimizer", "losses")  # tensors of a training that can go on
 
 
@@ -44,12 +43,10 @@ def load(path, resumed=False):
         facts = json.loads(tensors.pop("facts"))
         missing = [key for key in ("config", "names", "size") if key not in facts]
         missing += [key for key in ("weights", *STATE * resumed) if key not in tensors]
-        if resumed and "state" not in facts:
-            raise CheckpointError(f"{path}: it lacks the state of the training, only last.pt can be resumed")
-    except CheckpointError:
-        raise
     except Exception as fault:  # of the file system, of zip, of pickle: all mean the same here
         raise CheckpointError(f"{path}: no checkpoint of train_detector: {fault}") from None
+    if resumed and "state" not in facts:
+        raise CheckpointError(f"{path}: it lacks the state of the training, only last.pt can be resumed")
     if missing:
         raise CheckpointError(f"{path}: it lacks {', '.join(missing)}")
     return facts, tensors

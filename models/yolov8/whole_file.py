@@ -7,7 +7,7 @@ import pathlib
 @contextlib.contextmanager
 def whole(path):
     """The name of a file beside `path` to write; at the end it takes the place of `path`, after a fault it is gone.
-    Raises OSError."""
+    Raises OSError, which names `path`."""
     path = pathlib.Path(path)
     part = path.with_name(path.name + ".part")
     try:
@@ -15,6 +15,7 @@ def whole(path):
         with open(part, "rb+") as stream:
             os.fsync(stream.fileno())
         os.replace(part, path)
-    except BaseException:
+    except OSError as fault:
+        raise OSError(f"{path} cannot be written: {fault}") from None
+    finally:
         part.unlink(missing_ok=True)
-        raise

@@ -83,11 +83,12 @@ def plot(parts, file):
 
     figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.5))
     for part, rows in parts:
+        found, papers = ([row for row in rows if getattr(row, method)] for method in ("found", "paper_found"))
         for name, mark in (("face", "o"), ("centre", "s"), ("angle", "o")):
-            axes[int(name == "angle")].plot([row.face for row in rows], [abs(getattr(row.errors, name)) for row in rows], mark, markersize=4, alpha=0.7,
+            axes[int(name == "angle")].plot([row.face for row in found], errors(found, name), mark, markersize=4, alpha=0.7,
                                        label=f"{part.name}: {name}")
         if part is usv_positions.TABLE:
-            axes[0].plot([row.face for row in rows], [abs(row.errors.paper_distance) for row in rows], "x", label="table1: the paper's method")
+            axes[0].plot([row.face for row in papers], errors(papers, "paper_distance"), "x", label="table1: the paper's method")
             places = {name: int(name[-4:-2]) for name, *_ in usv_positions.PAPER}  # m
             axes[0].plot([places[p[0]] for p in usv_positions.PAPER], [p[3] for p in usv_positions.PAPER], "k+", label="the paper")
             axes[1].plot([places[p[0]] for p in usv_positions.PAPER], [p[4] for p in usv_positions.PAPER], "k+", label="the paper")
