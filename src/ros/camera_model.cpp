@@ -29,7 +29,8 @@ bool isPlausible(double focal, double middle, double side) {
   return focal > 1e-3 * side && focal < 1e4 * side && std::abs(middle) < 100.0 * side;
 }
 
-void checkPlausible(const char* name, double fx, double cx, double fy, double cy, const sensor_msgs::CameraInfo& info) {
+void checkPlausible(const char* name, double fx, double cx, double fy, double cy,
+                    const sensor_msgs::CameraInfo& info) {
   if (isPlausible(fx, cx, info.width) && isPlausible(fy, cy, info.height)) return;
   std::ostringstream text;
   text << "camera info is not plausible: of an image of " << info.width << "x" << info.height << " pixels, " << name

@@ -48,7 +48,9 @@ std::vector<std::string> MatchFlow::add(std::size_t camera, const ImageDetection
   const auto sound = soundDetections(detections, faults[0]);
   if (faults[0].empty()) faults.clear();
   if (!sync_.addDetections(camera, sound->header.stamp.toSec(), now.toSec(), sound))
-    faults.push_back("too late for clusters: these wait no longer than partner_timeout, nor for a camera that was silent for so long");
+    faults.push_back(
+        "too late for clusters: these wait no longer than partner_timeout, nor for a camera that was silent for "
+        "so long");
   return faults;
 }
 

@@ -69,7 +69,8 @@ std::vector<std::string> classNamesOf(const OnnxFile& model, int classes) {
 std::string contradictionOf(const OnnxFile& model, const std::vector<std::string>& names) try {
   const auto own = classNamesOf(model, static_cast<int>(names.size()));
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] != own[i]) return "class " + std::to_string(i) + " is '" + names[i] + "', in the model file '" + own[i] + "'";
+    if (names[i] != own[i])
+      return "class " + std::to_string(i) + " is '" + names[i] + "', in the model file '" + own[i] + "'";
   return "";
 } catch (const std::runtime_error&) {
   return "";

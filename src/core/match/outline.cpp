@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 
 #include "field_fusion/core/detect/image_box.h"
 #include "field_fusion/core/match/box_fit.h"
@@ -60,8 +61,8 @@ std::size_t rowsOf(const std::vector<Point>& points) {
 }
 
 /// [m^2] along the line of sight. No body is quite the cylinder of its class: a return comes from anywhere
-/// between its near side and its middle (a mast, a topmark), and the nearest of n is 1 / (n + 1) of the way. What
-/// one row of the sensor returns is all of one height, so all of one part: n counts rows.
+/// between its near side and its middle (a mast, a topmark), and the nearest of n is 1 / (n + 1) of the way.
+/// What one row of the sensor returns is all of one height, so all of one part: n counts rows.
 Eigen::Matrix2d depthOfNearest(const Eigen::Vector2d& centre, double radius, std::size_t count) {
   const Eigen::Vector2d depth = radius / (static_cast<double>(count) + 1.0) * centre.normalized();
   return depth * depth.transpose();

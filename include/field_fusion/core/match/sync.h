@@ -110,8 +110,8 @@ class Sync {
     int leader;
   };
   static constexpr std::size_t kQueue = 64;
-  static constexpr double kMemory = 1.0;  // [s]
-  static constexpr double kSlack = 0.1;   // of max_interval
+  static constexpr double kMemory = 1.0;    // [s]
+  static constexpr double kSlack = 0.1;     // of max_interval
   static constexpr double kPatience = 1.5;  // periods of a sensor
 
   void hear(double now);
