@@ -97,6 +97,17 @@ TEST_F(FilterStage, DamagedCloudIsDroppedNamedAndTheNextOneTaken) {
   EXPECT_TRUE(passes());
 }
 
+TEST_F(FilterStage, FaultDoesNotHideTheSilenceAfterIt) {
+  ASSERT_TRUE(passes());
+  in_.send(cloudAt(0.0));
+  const auto says = [this](const std::string& text) {
+    const auto* status = diagnostics_.of("filter");
+    return status && status->message.find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(spinUntil([&] { return says("points dropped, stamp is zero") && says("nothing new on points"); }));
+  EXPECT_TRUE(passes());
+}
+
 TEST_F(FilterStage, StampZeroIsDropped) {
   ASSERT_TRUE(passes());
   in_.send(cloudAt(0.0));

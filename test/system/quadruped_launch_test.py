@@ -56,7 +56,7 @@ def put_back(topic, message, way, earlier):
 
 @pytest.fixture(scope="module")
 def heard(tmp_path_factory):
-    """[(s since the begin, topic, message)] of what the stages tell while the walk with its mishaps is played."""
+    """[(s since the begin that it is stamped with, topic, message)] of what the stages tell while the walk with its mishaps is played."""
     folder = tmp_path_factory.mktemp("quadruped")
     bag, kept = folder / "mishaps.bag", folder / "heard.bag"
     with_mishaps(walk(folder), bag)
@@ -68,7 +68,7 @@ def heard(tmp_path_factory):
         launch.wait(120)  # it ends with the recording
         session.end(recorder)
     with rosbag.Bag(str(kept)) as of:
-        return [(time.to_sec() - BEGIN, topic, message) for topic, message, time in of.read_messages()]
+        return [(message.header.stamp.to_sec() - BEGIN, topic, message) for topic, message, _ in of.read_messages()]
 
 
 def states(heard, stage, begin, end):
@@ -79,7 +79,7 @@ def states(heard, stage, begin, end):
 
 def stamps(heard, topic, begin, end):
     """s since the begin of maps from a span of s."""
-    return [at for at in (message.header.stamp.to_sec() - BEGIN for _, name, message in heard if name == topic) if begin < at < end]
+    return [at for at, name, _ in heard if name == topic and begin < at < end]
 
 
 def test_a_silent_camera_is_told_and_the_map_goes_on_without_it(heard):
