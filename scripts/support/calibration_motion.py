@@ -12,7 +12,7 @@ import poses
 import sim_bag
 import stage_run
 
-SECONDS = {False: 20.0, True: 10.0}  # of a recording; with --quick
+SECONDS = {False: 20.0, True: 6.0}  # of a recording; with --quick
 MOUNTS = ("--mounts", "camera", "imu")
 RATE = 10.0  # pictures a second
 AWAY = 1.5  # m from the camera to the board

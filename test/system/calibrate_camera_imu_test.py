@@ -16,11 +16,11 @@ sys.path.insert(0, str(ROOT / "scripts/support"))
 import calibration_motion  # noqa: E402
 import calibration_world  # noqa: E402
 
-SECONDS = 8
-FEW = ("--every", "8")  # pictures, where no more are needed to see what is wrong
+SECONDS = 6  # of a recording; with fewer than 5 it is too short
+FEW, HALF = ("--every", "8"), ("--every", "2")  # pictures, where no more are needed to see what is wrong
 
 
-def recorded(folder, name, change=lambda world: None):
+def recorded(folder, name, change=lambda world: None, seconds=SECONDS):
     world = calibration_motion.world(name, 3)
     change(world)
     (folder / "worlds").mkdir(exist_ok=True)
@@ -28,7 +28,7 @@ def recorded(folder, name, change=lambda world: None):
         (folder / "sensors").symlink_to(ROOT / "config/sensors")
     file = folder / f"worlds/{name}.yaml"
     file.write_text(yaml.safe_dump(world))
-    done = rosrun("make_bag", file, folder / f"{name}.bag", "--seconds", SECONDS, *calibration_motion.MOUNTS)
+    done = rosrun("make_bag", file, folder / f"{name}.bag", "--seconds", seconds, *calibration_motion.MOUNTS)
     assert done.returncode == 0, done.stderr
     return folder / f"{name}.bag"
 
@@ -74,8 +74,8 @@ def test_a_clock_that_is_set_back_is_found(bag, tmp_path):
             message.header.stamp -= rospy.Duration.from_sec(0.15)
         return message
 
-    assert calibrate(bag, "--out", tmp_path / "as_is", "--every", "2").returncode == 0
-    assert calibrate(changed(bag, tmp_path / "late.bag", late), "--out", tmp_path / "late", "--every", "2").returncode == 0
+    assert calibrate(bag, "--out", tmp_path / "as_is", *HALF).returncode == 0
+    assert calibrate(changed(bag, tmp_path / "late.bag", late), "--out", tmp_path / "late", *HALF).returncode == 0
     offsets = [yaml.safe_load((tmp_path / name / "calibration.yaml").read_text())["time_offset"] for name in ("as_is", "late")]
     assert offsets[1] - offsets[0] == pytest.approx(-0.15, abs=1e-4)
 
@@ -103,7 +103,7 @@ def short(topic, number, message):
 
 @pytest.mark.parametrize("change, words, more", [
     (broken, "a reading of the inertial unit is not finite", FEW), (gap, "in the readings of the inertial unit", FEW),
-    (short, "too short", FEW), (in_degrees, "do not fit", ()),
+    (short, "too short", FEW), (in_degrees, "do not fit", HALF),
     (lambda topic, number, m: m if topic != "/imu/data" else None, "--imu is needed; there is none", FEW),
 ])
 def test_a_bad_recording_is_refused_with_the_reason(bag, tmp_path, change, words, more):
@@ -122,7 +122,7 @@ def test_a_board_that_is_never_whole_is_in_no_picture(tmp_path):
         world["bodies"][-1]["pose"][1] = 2.2  # of its 1 m half lies out of view
         world["robot"]["motion"]["shake"] = [{"frequency": 1.0, "roll_deg": 2}]
 
-    done = calibrate(recorded(tmp_path, "half", half), "--out", tmp_path / "out", *FEW)
+    done = calibrate(recorded(tmp_path, "half", half, seconds=2), "--out", tmp_path / "out", *FEW)
     assert done.returncode == 1 and "no picture shows the whole board" in done.stderr
 
 
@@ -130,5 +130,5 @@ def test_turning_about_one_axis_is_refused(tmp_path):
     def nodding(world):
         world["robot"]["motion"]["shake"] = [{"frequency": 0.7, "pitch_deg": 12, "x": 0.1, "y": 0.1}]
 
-    done = calibrate(recorded(tmp_path, "nodding", nodding), "--out", tmp_path / "out")
+    done = calibrate(recorded(tmp_path, "nodding", nodding), "--out", tmp_path / "out", *HALF)
     assert done.returncode == 1 and "turns about one axis alone" in done.stderr

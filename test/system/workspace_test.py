@@ -1,4 +1,6 @@
-"""Both ways to build: the workspace that comes with the package, and a workspace of its user."""
+"""Both ways to build: the workspace that comes with the package, and a workspace of its user.
+
+The first is built whole before; of the second the nodelets and one program, as the rest is built alike."""
 import os
 import pathlib
 import shutil
@@ -31,7 +33,7 @@ def user_workspace():
     workspace = pathlib.Path(SCRATCH) / "user_ws"
     copy_of_checkout(workspace / "src" / "field_fusion")
     build = shell(f". {ROOT}/scripts/environment; cd {workspace}; "
-                  "catkin_make -j$JOBS -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCATKIN_ENABLE_TESTING=OFF")
+                  "catkin_make -j$JOBS -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCATKIN_ENABLE_TESTING=OFF field_fusion_nodelets kitti_to_bag")
     assert build.returncode == 0, build.stdout[-4000:]
     return workspace
 
