@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Plays a recording through usv.launch, shows it in RViz and prints what was found. Called by scripts/demo."""
 import argparse
+import dataclasses
 import os
 import pathlib
 import shutil
@@ -16,8 +17,8 @@ from ros_session import RosSession
 
 SIZE = "1600x900"
 WORLD = "usv_harbour"
-OF_WORLD = ["points:=lidar/points", "image:=camera/image_raw", "camera_info:=camera/camera_info",
-            "detections:=truth/camera/detections"]
+DETECTOR = "models/usv.onnx"  # of the package
+TOPICS = ["points:=lidar/points", "image:=camera/image_raw", "camera_info:=camera/camera_info"]  # of the world
 
 
 def options():
@@ -33,8 +34,17 @@ def options():
     return given
 
 
+@dataclasses.dataclass
+class Recording:
+    """What is played, and with what."""
+    bag: pathlib.Path
+    model: pathlib.Path  # of the detector
+    report: str  # program that tells what was found
+    topics: list = dataclasses.field(default_factory=list)  # further arguments of usv.launch
+    known: dict = dataclasses.field(default_factory=dict)  # the robot's file
+
+
 def recording(folder, scene):
-    """(bag, model) to play; the model is empty where the bag is of a simulated world."""
     data = kitti_data.folder() or pathlib.Path("/nonexistent")
     drive, model = data / kitti_data.SEQUENCE, data / kitti_data.MODEL
     bag = folder / "demo.bag"
@@ -42,11 +52,11 @@ def recording(folder, scene):
         print(f"real recording: {drive}, ten frames again and again; YOLOv8n with COCO classes")
         subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", drive, bag, "--repeat", "60"],
                        check=True, stdout=subprocess.DEVNULL)
-        return bag, model
-    print(f"simulated world {WORLD}; its DETECTIONS ARE THE TRUTH of the simulator, not a detector's (set FIELD_FUSION_DATA "
-          "for a real drive)", flush=True)
+        return Recording(bag, model, "drive_report.py")
+    print(f"simulated world {WORLD}, and the detector that learnt from such worlds, {DETECTOR} (set FIELD_FUSION_DATA for a "
+          "real drive)", flush=True)
     subprocess.run(["rosrun", "field_fusion", "make_bag", WORLD, bag, "--seconds", "40"], check=True, stdout=subprocess.DEVNULL)
-    return bag, ""
+    return Recording(bag, stage_run.package() / DETECTOR, "scene_report.py", TOPICS, sim_world.KNOWN[WORLD])
 
 
 def virtual_display(session):
@@ -81,19 +91,17 @@ def main():
     if given.picture and not shutil.which("import"):
         sys.exit("demo: ImageMagick's `import` is missing; run scripts/install_dependencies")
     with tempfile.TemporaryDirectory(prefix="field_fusion_demo_") as scratch, RosSession() as session:
-        bag, model = recording(pathlib.Path(scratch), given.scene)
+        played = recording(pathlib.Path(scratch), given.scene)
         if not given.display:
             virtual_display(session)
         robot = pathlib.Path(scratch) / "robot.yaml"
-        stage_run.robot(robot, {} if model else sim_world.KNOWN[WORLD])
-        launch = session.launch("field_fusion", "usv.launch", f"bag:={bag}", f"model:={model}", "bag_args:=--loop",
-                                f"robot:={robot}", *([] if model else OF_WORLD))
-        if not model:
-            session.adopt(subprocess.Popen([sys.executable, pathlib.Path(__file__).with_name("truth_image.py")]))
+        stage_run.robot(robot, played.known)
+        launch = session.launch("field_fusion", "usv.launch", f"bag:={played.bag}", f"model:={played.model}",
+                                "bag_args:=--loop", f"robot:={robot}", *played.topics)
         if given.picture:
             await_rviz(session, launch)
         limit = ["--limit", str(given.seconds)] if given.seconds else []
-        report = pathlib.Path(__file__).with_name("drive_report.py" if model else "scene_report.py")
+        report = pathlib.Path(__file__).with_name(played.report)
         reporter = session.adopt(subprocess.Popen([sys.executable, report, *limit]))
         started = time.monotonic()
         over = lambda: launch.poll() is not None or (given.seconds and time.monotonic() - started > given.seconds)
