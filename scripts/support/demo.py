@@ -17,8 +17,6 @@ from ros_session import RosSession
 
 SIZE = "1600x900"
 WORLD = "usv_harbour"
-DETECTOR = "models/usv.onnx"  # of the package
-TOPICS = ["points:=lidar/points", "image:=camera/image_raw", "camera_info:=camera/camera_info"]  # of the world
 
 
 def options():
@@ -40,7 +38,7 @@ class Recording:
     bag: pathlib.Path
     model: pathlib.Path  # of the detector
     report: str  # program that tells what was found
-    topics: list = dataclasses.field(default_factory=list)  # further arguments of usv.launch
+    topics: tuple = ()  # further arguments of usv.launch
     known: dict = dataclasses.field(default_factory=dict)  # the robot's file
 
 
@@ -53,10 +51,10 @@ def recording(folder, scene):
         subprocess.run(["rosrun", "field_fusion", "kitti_to_bag", drive, bag, "--repeat", "60"],
                        check=True, stdout=subprocess.DEVNULL)
         return Recording(bag, model, "drive_report.py")
-    print(f"simulated world {WORLD}, and the detector that learnt from such worlds, {DETECTOR} (set FIELD_FUSION_DATA for a "
-          "real drive)", flush=True)
+    print(f"simulated world {WORLD}, and the detector that learnt from such worlds, {stage_run.DETECTOR} (set "
+          "FIELD_FUSION_DATA for a real drive)", flush=True)
     subprocess.run(["rosrun", "field_fusion", "make_bag", WORLD, bag, "--seconds", "40"], check=True, stdout=subprocess.DEVNULL)
-    return Recording(bag, stage_run.package() / DETECTOR, "scene_report.py", TOPICS, sim_world.KNOWN[WORLD])
+    return Recording(bag, stage_run.package() / stage_run.DETECTOR, "scene_report.py", stage_run.SIM_TOPICS, sim_world.KNOWN[WORLD])
 
 
 def virtual_display(session):

@@ -14,11 +14,10 @@ TITLE = __doc__
 METHODS = {"optimal": "", "paper": "paper"}  # what runs, and the argument `method` of usv.launch
 PARTS = ("table1", "far", "harbour", "small")
 TIMED = ("timing", "latency")  # in real time: on a machine that does nothing else
-MODEL = "models/usv.onnx"
 
 
 def options(parser):
-    parser.add_argument("--model", type=pathlib.Path, help=f"ONNX file of the detector (default: {MODEL} of the package)")
+    parser.add_argument("--model", type=pathlib.Path, help=f"ONNX file of the detector (default: {stage_run.DETECTOR} of the package)")
     parser.add_argument("--detections", choices=("model", "truth"), default="model",
                         help="truth: what the simulated picture truly shows stands in for the detector")
     parser.add_argument("--places", nargs="+", metavar="PLACE", help="only these places of table1 (0200 ...) and far (0 ... 29)")
@@ -44,7 +43,7 @@ def check(given):
         if given.model:
             raise ValueError("--model and --detections truth exclude one another")
         return
-    given.model = (given.model or stage_run.package() / MODEL).resolve()
+    given.model = (given.model or stage_run.package() / stage_run.DETECTOR).resolve()
     if not given.model.is_file():
         raise ValueError(f"no such model: {given.model} (train one as models/ says, name another with --model FILE, or "
                          "look at the rest of the pipeline with --detections truth)")

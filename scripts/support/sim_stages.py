@@ -18,8 +18,7 @@ def launch(session, name, method, robot, model):
     """The stages below /NAME, with the parameters of the file `robot`; without a model, no detector."""
     return session.start(
         "env", f"ROS_NAMESPACE={name}", "roslaunch", str(stage_run.package() / "launch/usv.launch"), "rviz:=false",
-        "points:=/lidar/points", "image:=/camera/image_raw", "camera_info:=/camera/camera_info",
-        "detections:=/detections", f"method:={method}", f"robot:={robot}", f"model:={model or ''}")
+        *stage_run.SIM_TOPICS, "detections:=/detections", f"method:={method}", f"robot:={robot}", f"model:={model or ''}")
 
 
 class Answer(typing.NamedTuple):

@@ -6,6 +6,8 @@ import yaml
 
 from ros_session import SessionError
 
+DETECTOR = "models/usv.onnx"  # of the package
+SIM_TOPICS = ("points:=/lidar/points", "image:=/camera/image_raw", "camera_info:=/camera/camera_info")  # of simulated worlds, to usv.launch
 PATIENCE = 120.0  # s of wall time for one frame
 
 

@@ -38,12 +38,12 @@ void describe(const InputPort& port, DiagnosticStatusWrapper& status) {
 }
 
 /// What was lately wrong with an input's messages; empty when nothing was.
-std::string faultOf(const InputPort& port) {
+std::string faultText(const InputPort& port) {
   return port.faults.age() < kFaultShown ? port.topic + " dropped, " + port.faults.last() : "";
 }
 
 /// For how long an input has been silent; empty while it is not. A fault shortly before does not hide it.
-std::string silenceOf(const InputPort& port, double timeout) {
+std::string silenceText(const InputPort& port, double timeout) {
   if (port.last_arrival.isZero()) return "waiting for " + port.topic;
   const double silent = (ros::WallTime::now() - port.last_arrival).toSec();
   if (port.optional || silent < timeout) return "";
@@ -60,7 +60,7 @@ void Stage::diagnose(DiagnosticStatusWrapper& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   status.summary(DiagnosticStatus::OK, subscribed_ ? "running" : "IDLE: nobody listens");
   for (const auto& port : inputs_) {
-    for (const auto& worry : {faultOf(port), silenceOf(port, stage_params_.input_timeout)})
+    for (const auto& worry : {faultText(port), silenceText(port, stage_params_.input_timeout)})
       if (subscribed_ && !worry.empty()) status.mergeSummary(DiagnosticStatus::WARN, worry);
     describe(port, status);
   }

@@ -91,10 +91,7 @@ TEST_F(ClusterStage, WithoutGroundTheCloudGoesOnAndItIsSaid) {
   EXPECT_NE(plane_.last->fault, "");
   EXPECT_TRUE(std::isnan(plane_.last->height));
   EXPECT_EQ(clusters_.last->clusters.size(), 1u);
-  EXPECT_TRUE(spinUntil([&] {
-    return diagnostics_.of("ground") &&
-           diagnostics_.of("ground")->message.find("no ground") != std::string::npos;
-  }));
+  EXPECT_TRUE(spinUntil([&] { return diagnostics_.says("ground", "no ground"); }));
 }
 
 TEST_F(ClusterStage, EmptyOnePointAndAllNanGiveEmptyArrays) {

@@ -31,10 +31,7 @@ TEST(Degraded, WithoutADetectorTheLidarGoesOnAndDiagnosticsNameTheCause) {
   ASSERT_TRUE(spinUntil([&] { return refused() != nullptr; }, send));
   EXPECT_EQ(refused()->level, diagnostic_msgs::DiagnosticStatus::ERROR);
   EXPECT_NE(refused()->message.find("/no/such/model.onnx"), std::string::npos) << refused()->message;
-  const auto waits = [&] {
-    return diagnostics.of("match") &&
-           diagnostics.of("match")->message.find("waiting for detections") != std::string::npos;
-  };
+  const auto waits = [&] { return diagnostics.says("match", "waiting for detections"); };
   EXPECT_TRUE(spinUntil(waits, send));
 }
 

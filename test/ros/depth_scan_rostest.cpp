@@ -121,9 +121,8 @@ TEST_F(DepthScanStage, ImageOfZerosIsNotFree) {
   ASSERT_TRUE(spinUntil([this] { return came(out_); }));
   for (const float range : out_.last->ranges) EXPECT_TRUE(std::isnan(range));
   EXPECT_TRUE(spinUntil([this] {
-    const auto* status = diagnostics_.of("depth_scan");
-    return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
-           status->message.find("the last depth has no point at all") != std::string::npos;
+    return diagnostics_.says("depth_scan", "the last depth has no point at all") &&
+           diagnostics_.of("depth_scan")->level == diagnostic_msgs::DiagnosticStatus::WARN;
   }));
 }
 

@@ -71,8 +71,7 @@ TEST_F(DeskewCloudStage, PointsWithoutTimesComeRawAndAreNamed) {
   for (std::size_t i = 0; i < sent.points.size(); ++i)
     EXPECT_EQ(out_.last->points[i].position(), sent.points[i].position());
   EXPECT_TRUE(spinUntil([&] {
-    const auto* status = diagnostics_.of("deskew_cloud");
-    return status && status->message.find("passed on raw, its points have no times") != std::string::npos;
+    return diagnostics_.says("deskew_cloud", "passed on raw, its points have no times");
   }));
 }
 

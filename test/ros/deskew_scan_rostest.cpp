@@ -50,9 +50,8 @@ class DeskewScanStage : public testing::Test {
   bool deskewed() const { return out_.last->time_increment == 0.f; }
   bool warns(const std::string& text) {
     return spinUntil([&] {
-      const auto* status = diagnostics_.of("deskew_scan");
-      return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
-             status->message.find(text) != std::string::npos;
+      return diagnostics_.says("deskew_scan", text) &&
+             diagnostics_.of("deskew_scan")->level == diagnostic_msgs::DiagnosticStatus::WARN;
     });
   }
   bool counts(const std::string& key) {

@@ -100,12 +100,8 @@ TEST_F(FilterStage, DamagedCloudIsDroppedNamedAndTheNextOneTaken) {
 TEST_F(FilterStage, FaultDoesNotHideTheSilenceAfterIt) {
   ASSERT_TRUE(passes());
   in_.send(cloudAt(0.0));
-  const auto says = [this](const std::string& text) {
-    const auto* status = diagnostics_.of("filter");
-    return status && status->message.find(text) != std::string::npos;
-  };
-  const auto dropped = [&] { return says("points dropped, stamp is zero"); };
-  const auto silent = [&] { return says("nothing new on points"); };
+  const auto dropped = [&] { return diagnostics_.says("filter", "points dropped, stamp is zero"); };
+  const auto silent = [&] { return diagnostics_.says("filter", "nothing new on points"); };
   EXPECT_TRUE(spinUntil([&] { return dropped() && silent(); },
                         [&] {
                           if (silent()) in_.send(cloudAt(0.0));  // slow: the fault was forgotten meanwhile

@@ -133,10 +133,7 @@ TEST_F(GridSlamStage, ScansOfAnotherSizeAndBlindOnes) {
   std::fill(blind.ranges.begin(), blind.ranges.end(), core::kFree);
   send(blind);
   EXPECT_LT(off(), 0.1) << "odometry goes on";
-  EXPECT_TRUE(spinUntil([&] {
-    const auto* status = diagnostics_.of("grid_slam");
-    return status && status->message.find("the last scan has no return") != std::string::npos;
-  }));
+  EXPECT_TRUE(spinUntil([&] { return diagnostics_.says("grid_slam", "the last scan has no return"); }));
   auto damaged = (robot_.walk(), scan("laser"));
   damaged.range_max = -1.f;
   send(damaged);
@@ -171,9 +168,8 @@ TEST_F(GridSlamStage, CarriedElsewhereItSaysSoAndGoesOn) {
   truth_ = core::Pose2{-2.5, 1.0, truth_.yaw + 2.0};  // by hand: odometry does not see it
   ASSERT_TRUE(walks());
   EXPECT_TRUE(spinUntil([&] {
-    const auto* status = diagnostics_.of("carried/slam");
-    return status && status->level == diagnostic_msgs::DiagnosticStatus::WARN &&
-           status->message.find("has the robot been carried") != std::string::npos;
+    return diagnostics_.says("carried/slam", "has the robot been carried") &&
+           diagnostics_.of("carried/slam")->level == diagnostic_msgs::DiagnosticStatus::WARN;
   }));
   for (int i = 0; i < 5; ++i) ASSERT_TRUE(walks()) << "it goes on";
 }
@@ -209,8 +205,7 @@ TEST_F(GridSlamStage, AScannerOutOfThePlaneIsRefused) {
   ASSERT_TRUE(begins());
   robot_.walk(), send(scan("upright"));
   EXPECT_TRUE(spinUntil([&] {
-    const auto* status = diagnostics_.of("grid_slam");
-    return status && status->message.find("the scanner upright is tilted by 90 deg") != std::string::npos;
+    return diagnostics_.says("grid_slam", "the scanner upright is tilted by 90 deg");
   }));
 }
 

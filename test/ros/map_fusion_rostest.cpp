@@ -50,10 +50,7 @@ class MapFusionStage : public testing::Test {
     return spinUntil([this] { return came(); });
   }
   bool says(const std::string& words) {
-    return spinUntil([&] {
-      const auto* status = diagnostics_.of("map_fusion");
-      return status && status->message.find(words) != std::string::npos;
-    });
+    return spinUntil([&] { return diagnostics_.says("map_fusion", words); });
   }
 
   std::string stampText() const {
@@ -106,10 +103,7 @@ TEST_F(MapFusionStage, WithoutTheCameraMapAGoesOnAndThatIsSaid) {
   now_ += 0.1;
   ASSERT_TRUE(sendB(grid({-1, 97, -1, -1})));
   EXPECT_TRUE(spinUntil(
-      [&] {
-        const auto* status = diagnostics_.of("map_fusion");
-        return status && status->message.find("nothing new on projected_map") != std::string::npos;
-      },
+      [&] { return diagnostics_.says("map_fusion", "nothing new on projected_map"); },
       [&] { now_ += 0.1, a_.send(grid({100, 0, 100, -1})); }));
   now_ += 0.1;
   ASSERT_TRUE(begins({100, 0, 100, -1}));
@@ -125,9 +119,8 @@ TEST_F(MapFusionStage, ARobotThatStandsMakesNoNewMapAAndNobodyIsAlarmed) {
   const auto stands = ros::WallTime::now();
   EXPECT_TRUE(spinUntil(
       [&] {
-        const auto* status = diagnostics_.of("map_fusion");
-        return (ros::WallTime::now() - stands).toSec() > 2.5 && status &&
-               status->message.find("nothing new") == std::string::npos;
+        return (ros::WallTime::now() - stands).toSec() > 2.5 && diagnostics_.of("map_fusion") &&
+               !diagnostics_.says("map_fusion", "nothing new");
       },
       [&] { now_ += 0.1, b_.send(grid({-1, 97, -1, -1})); }));
 }

@@ -223,10 +223,7 @@ TEST_F(MatchStage, PairsAndOffsetsAreInDiagnostics) {
 
 TEST_F(MatchStage, OffsetBeyondHalfOfTheIntervalIsAWarning) {
   ASSERT_TRUE(matches());
-  const auto warned = [this] {
-    const auto* status = diagnostics_.of("match: stage");
-    return status && status->message.find("time_offset") != std::string::npos;
-  };
+  const auto warned = [this] { return diagnostics_.says("match: stage", "time_offset"); };
   EXPECT_TRUE(spinUntil(warned, [this] {
     detections_.send(detectionsAt(next() + 0.04, {4.f}));
     clusters_.send(clustersAt(now_, {{5.0, 0.5}}));
@@ -283,10 +280,7 @@ TEST_F(MatchStage, AMovedSensorIsWarnedOf) {
     }
     return true;
   };
-  const auto warned = [this] {
-    const auto* status = diagnostics_.of("match");
-    return status && status->message.find("boxes have shifted") != std::string::npos;
-  };
+  const auto warned = [this] { return diagnostics_.says("match", "boxes have shifted"); };
   ASSERT_TRUE(pairsAt(0.0, 95));
   const std::string mean = "camera: boxes off clusters, azimuth and elevation [deg]";
   ASSERT_TRUE(spinUntil([&] { return !diagnostics_.value("match", mean).empty(); }));

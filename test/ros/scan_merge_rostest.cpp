@@ -48,10 +48,7 @@ class ScanMergeStage : public testing::Test {
                     [this] { next(), scan_.send(scanAt(now_, "laser", 5.f, core::kFree)); });
   }
   bool warns(const std::string& text) {
-    return spinUntil([&] {
-      const auto* status = diagnostics_.of("scan_merge");
-      return status && status->message.find(text) != std::string::npos;
-    });
+    return spinUntil([&] { return diagnostics_.says("scan_merge", text); });
   }
 
   double now_ = 0.0, speed_ = 0.0, pitch_ = 0.0;

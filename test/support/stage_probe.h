@@ -77,6 +77,11 @@ class Diagnostics {
       if (name.find(node) != std::string::npos) return &status;
     return nullptr;
   }
+  /// Whether there is one, with `words` in its summary.
+  bool says(const std::string& node, const std::string& words) const {
+    const auto* status = of(node);
+    return status && status->message.find(words) != std::string::npos;
+  }
   std::string value(const std::string& node, const std::string& key) const {
     if (const auto* status = of(node))
       for (const auto& entry : status->values)
